@@ -1,6 +1,7 @@
 """A study as a command: output folder, progress, and differences from the expected results."""
 
 import argparse
+import shutil
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -8,6 +9,8 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from rich import progress as bars
+
+from studies import printed
 
 Claims = TypeVar("Claims")
 #: A function of the share of the work that is done, in [0, 1], and a text that names the current step.
@@ -34,8 +37,18 @@ class Study(Generic[Claims]):
 
     def run(self, out: Path, *, quick: bool, progress: Progress) -> list[str]:
         """Write tables and figures into `out`; returns the differences from the expected results."""
+        return self.compared(out, quick=quick, progress=progress).differences
+
+    def compared(self, out: Path, *, quick: bool, progress: Progress) -> printed.Comparison:
+        """Write tables and figures into `out`, and compare every number with expected.csv and with the pages."""
         out.mkdir(parents=True, exist_ok=True)
-        return self.differences(self.make(out, quick, progress), quick)
+        with tempfile.TemporaryDirectory() as before:
+            pages = Path(before) / self.pages.name
+            shutil.copytree(self.pages, pages)  # the run may write over them
+            expected = self.differences(self.make(out, quick, progress), quick)
+            found = printed.compare(out, pages, quick=quick)
+        found.differences = [*expected, *found.differences]
+        return found
 
     def main(self, arguments: list[str] | None = None) -> list[str]:
         """Run the study with command-line arguments; returns the differences from the expected results."""
@@ -52,10 +65,12 @@ class Study(Generic[Claims]):
             def notify(share: float, text: str) -> None:
                 bar.update(task, completed=share, description=text)
 
-            wrong = self.run(out, quick=options.quick, progress=notify)
-        lines = (*(wrong or ["all figures are as expected"]), f"wrote {out}")
+            found = self.compared(out, quick=options.quick, progress=notify)
+        if out == self.pages:
+            printed.stamp(out, self.pages.name)
+        lines = (*(found.differences or [f"all figures are as expected: {found.summary}"]), f"wrote {out}")
         bar.console.print("\n".join(lines), markup=False, highlight=False, soft_wrap=True)
-        return wrong
+        return found.differences
 
 
 def in_stages(stages: Sequence[Stage], notify: Progress) -> None:

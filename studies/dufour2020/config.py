@@ -32,11 +32,15 @@ ALPHAS = (5e3, 15e3, 50e3)
 PAPERS_ALPHAS = {"T1": 50e3, "T2": 70e3, "T3": 70e3, "T4": 120e3, "T5": 90e3}
 ONE_ALPHA = 5e5
 PAPERS_LOSS = (3.0, 5.0)  # [%], section 5: how much (14) at ONE_ALPHA is below (10) at the α of each path
+NOT_MUCH = 10.0  # [%], ours: up to here "no more improvement" of section 5 counts as confirmed
 LOG_WEIGHT, LOG_RATE = 10.0, 10.0  # ours
 #: Added to every joint of the first posture [rad], ours. A run whose results change with it is chaotic: they also change with
 #: the last bit of a sum, and so with the type of processor.
 NUDGE = 1e-10
 LITERAL_ALPHAS = (1e3, 1e4, 15e3, 5e4, 1e5)  # of (20) as printed, ours
+MOVED_STARTS = 12  # starts moved by up to NUDGE, for the spread of (20) as printed on T3, ours
+# Tremor of the hand that guides the arm: amplitude [rad], frequency [Hz], and time to fade in and out [s], ours.
+TREMORS, TREMOR_FREQUENCY, FADE = (0.0, 5e-4, 2e-3), 8.0, 0.5
 # Sweeps, ours.
 GAINS = (0.0, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 SWEEP = (*(share * 10.0**power for power in (3, 4, 5, 6) for share in (1.0, 1.5, 2.0, 3.0, 5.0, 7.0)), 1e7)

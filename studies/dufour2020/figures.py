@@ -5,14 +5,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pinocchio as pin
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
+import manipplan as mp
+from manipplan.viz.render import DrawnWay, Renderer
 from manipplan.viz.style import JOINTS, STRAIGHT, STYLE
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array
-from studies.dufour2020.follow import Run
+from studies.dufour2020.follow import Arm, Run
 from studies.dufour2020.pareto import SPACES, SWEEPS, Fronts
 from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
 from studies.tables import Table
@@ -82,6 +85,53 @@ def scenario(found: Scenario, file: Path) -> None:
         space.set_title("b) path of the tool; the dot is its start", loc="left")
         space.legend(loc="upper left", fontsize=8)
         save(figure, file)
+
+
+def stiffness(file: Path) -> None:
+    """Fig. 1: the stiffness of the task along the path."""
+    share = np.linspace(0.0, 1.0, 401)
+    with rc_context(STYLE):
+        figure = blank(6.0, 3.0)
+        ax = figure.subplots()
+        ax.plot(share, [config.STIFFNESS(float(each)) for each in share], color=COLOURS["(10)"])
+        for value, label in ((config.STIFFNESS.high, "Q_high"), (config.STIFFNESS.low, "Q_low")):
+            ax.axhline(value, color="black", linestyle=":", linewidth=0.9)
+            ax.text(0.5, 1.15 * value, label, ha="center", va="bottom", fontsize=8)
+        ax.set(xlabel="share of the duration t / t_f", ylabel="stiffness of the task", yscale="log", ylim=(5, 4e4), xlim=(0, 1))
+        ax.set_yticks((10, 100, 1000, 10_000), ("10", "100", "1000", "10000"))
+        save(figure, file)
+
+
+def postures(arm: Arm, first: Scenario, second: Scenario, sphere: Obstacle, file: Path) -> None:
+    """Fig. 2, 5 and 7: the arm at the ends of scenario 1, at the end of S2 by (7) and by (10), and next to the sphere."""
+    place = mp.Scene([config.SPHERE])
+    shown = [
+        ("S1, start", first.plain, 0, mp.Scene([])),
+        ("S1, end, (10)", first.at_alpha, -1, mp.Scene([])),
+        ("S2, end, (7)", second.classical or second.plain, -1, mp.Scene([])),
+        ("S2, end, (10)", second.at_alpha, -1, mp.Scene([])),
+        ("S3, end, α = 0", sphere.runs[0], -1, place),
+        ("S3, end, α = 15000", sphere.runs[1], -1, place),
+    ]
+    with rc_context(STYLE):
+        figure = blank(10.5, 7.4)
+        axes = figure.subplots(2, 3).ravel()
+        for ax, (title, run, k, scene) in zip(axes, shown, strict=True):
+            way = run.targets[:: max(len(run.targets) // 60, 1), :3, 3]
+            chain = np.array([place.translation for place in _placements(arm, run.q[k])])
+            points = np.concatenate([way, chain, [[0.0, 0.0, -0.3], [0.4, 0.3, 1.2]]])
+            with Renderer(arm.robot, scene, points, (520, 540), direction=(150.0, -15.0)) as renderer:
+                ax.imshow(renderer.draw(run.q[k], [DrawnWay(points=way, colour="#D55E00")]))
+            ax.set_title(f"{title}, m = {run.manipulability[k]:.2f}", loc="left", fontsize=9)
+            ax.set_axis_off()
+        save(figure, file)
+
+
+def _placements(arm: Arm, q: Array) -> list[Any]:
+    model = arm.robot.model
+    data = model.createData()
+    pin.forwardKinematics(model, data, q)
+    return list(data.oMi)
 
 
 def times(series: dict[str, Array], dt: float, file: Path) -> None:
@@ -179,7 +229,7 @@ def hessians(runs: dict[tuple[str, str, float], Run], file: Path) -> None:
     names = [hessian for path, hessian, alpha in runs if path == "S2" and alpha == config.ALPHA]
     labels = {
         "bfgs": "BFGS, direct and damped",
-        "bfgs-literal": "(20) as printed",
+        "bfgs-literal": "(20), made convex",
         "sr1": "SR1",
         "central": "differences (19)",
     }

@@ -179,11 +179,11 @@ class Arm:
         approach: float = config.DEAD_BEAT,
         avoidance: mp.Avoidance | None = None,
         compiled: bool = True,
-        nudge: float = 0.0,
+        nudge: float | Array = 0.0,
     ) -> Run:
         """Follow the course `name` with FORMULAS[formula], or with `formulation` under that name, inside a tube [m] if given.
 
-        `nudge` [rad] is added to every joint of the first posture.
+        `nudge` [rad], a number or one per joint, is added to the first posture.
         """
         course = self.courses[name]
         controller = self.controller(
@@ -222,10 +222,8 @@ class Arm:
 
     def torque(self, run: Run) -> float:
         """Root mean square of the joint torques on the path [N m], by Pinocchio's inverse dynamics."""
-        model = self.robot.model
-        data = model.createData()
-        motion = zip(run.q, run.qd, run.acceleration, strict=False)  # accelerations end with the path
-        return float(np.sqrt(np.mean([pin.rnea(model, data, *each) ** 2 for each in motion])))
+        last = len(run.acceleration)
+        return rms_torque(self.robot, run.q[:last], run.qd[:last], run.acceleration)
 
     def step_times(
         self,
@@ -249,6 +247,12 @@ class Arm:
             times[k] = time.perf_counter() - began
             q = q + dt * qd
         return times
+
+
+def rms_torque(robot: mp.Robot, q: Array, qd: Array, qdd: Array) -> float:
+    """Root mean square of the joint torques of a motion (N, n) [N m], by Pinocchio's inverse dynamics."""
+    data = robot.model.createData()
+    return float(np.sqrt(np.mean([pin.rnea(robot.model, data, *each) ** 2 for each in zip(q, qd, qdd, strict=True)])))
 
 
 def timed(course: Course, dt: float, strength: float) -> tuple[Array, Array, Array, int]:

@@ -4,10 +4,12 @@ from collections.abc import Callable
 from itertools import product
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 import manipplan as mp
 from studies.dufour2020 import config
-from studies.dufour2020.follow import Arm, Run
+from studies.dufour2020.courses import Array
+from studies.dufour2020.follow import FORMULAS, Arm, Run, rms_torque
 from studies.dufour2020.quasi_newton import HESSIANS, QuasiNewton
 from studies.dufour2020.scenarios import RUN_HEAD, Comparison, best, run_row, sweep
 from studies.tables import Cell, Table
@@ -201,3 +203,82 @@ def all_courses(arm: Arm) -> tuple[Table, dict[str, dict[str, Run | None]]]:
             else:
                 rows.append((name, formula, *run_row(run)[2:]))
     return Table.of("all_paths", RUN_HEAD, rows), found
+
+
+def best_alphas(comparison: Comparison) -> Table:
+    """Table 1 and the text below it: the best sound α of each path, and what is gained beyond the paper's α."""
+    rows: list[tuple[Cell, ...]] = []
+    for name in config.TABLE_1:
+        first, papers = comparison.most[name], comparison.papers[name]
+        second, one = comparison.most_equal[name], comparison.one[name]
+        objective = (papers.strength, first.strength, first.strength / papers.strength, 100 * (first.mean / papers.mean - 1))
+        rows.append((name, *objective, second.strength, 100 * (1 - one.mean / second.mean)))
+    head = ("path", "(10): paper's α", "best α", "by the paper's", "gain [%]", "(14): best α", "5e5 is lower by [%]")
+    return Table.of("best_alphas", head, rows)
+
+
+def spreads(arm: Arm) -> tuple[Table, dict[float, Array]]:
+    """(20) as printed on T3 from many starts that are moved by 10⁻¹⁰ rad: the least, median and largest share.
+
+    Also returns the shares (starts,) of joints and steps that chatter [%], by α.
+    """
+    printed = QuasiNewton(1.0, "bfgs-literal", convexify=False)
+    moves = config.NUDGE * np.random.default_rng(0).uniform(-1, 1, (config.MOVED_STARTS, arm.robot.n))
+    rows, chatter = [], {}
+    for alpha in config.LITERAL_ALPHAS:
+        runs = [arm.follow("T3", "(20)", alpha, formulation=printed, nudge=move) for move in moves]
+        chatter[alpha] = np.array([100 * run.chatter for run in runs])
+        unsolved = np.array([100 * run.unsolved / run.steps for run in runs])
+        cells = [each for values in (chatter[alpha], unsolved) for each in np.percentile(values, (0, 50, 100))]
+        rows.append((alpha, len(runs), *(float(each) for each in cells)))
+    parts = ("least", "median", "most")
+    head = ("α", "starts", *(f"chatter, {each} [%]" for each in parts), *(f"not solved, {each} [%]" for each in parts))
+    return Table.of("spread", head, rows), chatter
+
+
+def recorded(arm: Arm) -> tuple[Table, dict[tuple[str, float, str], tuple[float, float]]]:
+    """Section 5, last paragraphs: torque and smoothness against the recorded motion itself, with a hand's tremor added.
+
+    Returns also rms acceleration [rad/s²] and rms torque [N m] by path, tremor [rad] and motion.
+    """
+    rows: list[tuple[Cell, ...]] = []
+    found: dict[tuple[str, float, str], tuple[float, float]] = {}
+    for demonstration in config.DEMONSTRATIONS:
+        for tremor in config.TREMORS:
+            q = shaken(arm, demonstration, tremor)
+            steps = len(q) - 1
+            qd = np.diff(q, axis=0) / config.DT
+            qdd = np.diff(qd, axis=0) / config.DT
+            measured = {"recorded": (rms(qdd), rms_torque(arm.robot, q[1:-1], qd[1:], qdd))}
+            poses = arm.kinematics.pose(q[1:])
+            stiffness = np.array([config.STIFFNESS(k / steps) for k in range(1, steps + 1)])
+            for formula, strength in (("(2)", 0.0), ("(14)", config.ONE_ALPHA)):
+                controller = arm.controller(FORMULAS["(7)" if formula == "(2)" else formula])
+                drive = np.full(steps, strength)
+                rollout = controller.rollout(q[0], poses, stiffness=stiffness, drive=drive)
+                rates = np.diff(rollout.qd, axis=0) / config.DT
+                measured[formula] = (rms(rates), rms_torque(arm.robot, rollout.q[:-1], rollout.qd[:-1], rates))
+            for name, values in measured.items():
+                found[demonstration.name, tremor, name] = values
+            shown = [measured[name][k] for k in (0, 1) for name in ("recorded", "(2)", "(14)")]
+            rows.append((demonstration.name, 1e3 * tremor, *shown, 100 * (shown[5] / shown[3] - 1)))
+    motions = ("recorded", "(2)", "(14)")
+    head = ("path", "tremor [mrad]", *(f"rms acceleration, {each} [rad/s²]" for each in motions))
+    return Table.of(
+        "recorded", (*head, *(f"rms torque, {each} [N m]" for each in motions), "(14) by recorded [%]"), rows
+    ), found
+
+
+def shaken(arm: Arm, demonstration: config.Demonstration, tremor: float) -> Array:
+    """The recorded posture at every step (N, n) [rad], with this tremor in each joint, fading at both ends."""
+    table = np.loadtxt(config.PATHS / f"{demonstration.name}.csv", delimiter=",", skiprows=1)
+    t = np.arange(round(table[-1, 0] / config.DT) + 1) * config.DT
+    phases = np.random.default_rng(demonstration.seed).uniform(0, 2 * np.pi, arm.robot.n)
+    fade = np.minimum(1.0, np.minimum(t, t[-1] - t) / config.FADE)
+    wave = np.sin(2 * np.pi * config.TREMOR_FREQUENCY * t[:, None] + phases)
+    return np.asarray(CubicSpline(table[:, 0], table[:, 1:])(t) + tremor * fade[:, None] * wave)
+
+
+def rms(values: Array) -> float:
+    """The root mean square."""
+    return float(np.sqrt((values**2).mean()))

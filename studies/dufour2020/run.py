@@ -6,11 +6,11 @@ from studies import command
 from studies.dufour2020 import claims, config, figures, numerics, pareto
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm
-from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario, obstacle_table
+from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario, goals_in_collision, obstacle_table
 
 #: Paths whose Pareto figure is drawn by --quick.
 QUICK = ("S1",)
-STEPS = 11
+STEPS = 14
 TIMED = 20
 
 
@@ -36,9 +36,13 @@ def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim
     obstacle_table([sphere, blocking]).write(out)
     took = [arm.step_times("S1", "(10)", run.strength, avoidance=sphere.avoidance) for run in sphere.runs]
     figures.obstacle(sphere, took, out / "scenario3.png")
+    stopped_table, stopped = goals_in_collision(arm)
+    stopped_table.write(out)
+    figures.stiffness(out / "stiffness.png")
     advance("scenario 4")
     comparison = Comparison.of(arm)
     comparison.table().write(out)
+    numerics.best_alphas(comparison).write(out)
     figures.comparison(comparison, out / "scenario4.png")
     advance("claim 1")
     convexity = numerics.convexity(arm, comparison)
@@ -50,6 +54,12 @@ def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim
     figures.hessians(hessians, out / "hessians.png")
     printed_table, printed = numerics.literal(arm)
     printed_table.write(out)
+    advance("moved starts")
+    spread_table, chatter = numerics.spreads(arm)
+    spread_table.write(out)
+    advance("recorded motions")
+    recorded_table, recorded = numerics.recorded(arm)
+    recorded_table.write(out)
     advance("all paths")
     table, everything = numerics.all_courses(arm)
     table.write(out)
@@ -59,7 +69,10 @@ def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim
     numerics.time_step(arm)[0].write(out)
     advance("claims")
     found = claims.claims(arm, first, second, sphere, comparison, everything, printed)
-    found += claims.chaotic(convexity, hessians)
+    found += claims.best_alphas(comparison)
+    found += claims.stopped(stopped)
+    found += claims.recorded(recorded)
+    found += claims.chaotic(convexity, hessians, chatter)
     claims.table(found).write(out)
     advance("deviation against manipulability")
     fronts = pareto.fronts(arm, names, advance)
@@ -68,6 +81,7 @@ def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim
     for name in names:
         figures.pareto(fronts, name, out / f"pareto_{name}.png")
     if not quick:
+        figures.postures(arm, first, second, sphere, out / "postures.png")
         notify(done / whole, "step times")
         numerics.real_time(arm, sphere.avoidance, advance)[0].write(out)
     return found

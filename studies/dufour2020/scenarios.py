@@ -123,6 +123,30 @@ def obstacle_table(found: Sequence[Obstacle]) -> Table:
     return Table.of("scenario3", (*head, "deviation [mm]", "at the end [mm]"), [row for each in found for row in each.rows()])
 
 
+def goals_in_collision(arm: Arm) -> tuple[Table, list[Run]]:
+    """Section 3.2: a sphere at the end of every path that begins outside it; the arm has to stop at d_s from it."""
+    rows: list[tuple[Cell, ...]] = []
+    runs = []
+    for name, course in arm.courses.items():
+        if name == "S1":  # the sphere would be in the upper arm from the start
+            continue
+        x, y, z = (round(float(each), 3) for each in course.path(1.0)[:3, 3])
+        avoidance = mp.Avoidance(
+            scene=mp.Scene([mp.Sphere(radius=config.SPHERE.radius, position=(x, y, z))]),
+            influence=config.INFLUENCE,
+            security=config.SECURITY,
+            damping=config.DAMPING,
+            itself=False,
+        )
+        run = arm.follow(name, "(10)", config.ALPHA, avoidance=avoidance)
+        clearance = 1e3 * run.rollout["clearance"]
+        ends = (float(clearance.min()), float(clearance[-1]), 1e3 * float(run.deviation[-1]), float(np.abs(run.qd[-1]).max()))
+        rows.append((name, f"{x:g}, {y:g}, {z:g}", *ends, 100 * run.unsolved / run.steps))
+        runs.append(run)
+    head = ("path", "sphere at [m]", "least distance [mm]", "at the end [mm]", "tool to goal [mm]", "joint speed there [rad/s]")
+    return Table.of("goal", (*head, "steps not solved [%]"), rows), runs
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Comparison:
     """Scenario 4: sweeps of (10), without convexification, and of (14) over the five paths."""
@@ -158,6 +182,12 @@ class Comparison:
     def most(self) -> dict[str, Run]:
         """(10) with the best α of each path."""
         found = {name: best(runs) for name, runs in self.objective.items()}
+        return {name: run for name, run in found.items() if run is not None}
+
+    @property
+    def most_equal(self) -> dict[str, Run]:
+        """(14) with the best α of each path."""
+        found = {name: best(runs) for name, runs in self.equality.items()}
         return {name: run for name, run in found.items() if run is not None}
 
     def table(self) -> Table:

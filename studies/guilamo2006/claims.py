@@ -245,7 +245,39 @@ def _full(results: Results) -> list[Claim]:
     full, uneven = (results.sampled(circle, grid) for grid in (config.FULL, config.UNEVEN))
     thin = results.runs.thinned(full, config.THIN)
     restarted = results.restarted(circle, config.FULL, memoised=True)
+    wide = results.wide.found
+    name = tables.grid_name(config.FULL)
+    ratios = {
+        each: tables.needed(results.runs, circle, config.FULL, each) / tables.needed(results.runs, circle, config.COARSE, each)
+        for each in config.COMPARED_EPSILONS
+    }
     return [
+        *(
+            Claim(
+                text=f"circle: starts needed at {each:g}°, {name} by {tables.grid_name(config.COARSE)}",
+                paper="below 1: fewer with resolution",
+                value=ratio,
+                holds=ratio < 1,
+                part=FULL,
+            )
+            for each, ratio in ratios.items()
+        ),
+        Claim(
+            text=f"circle, {name}, 5°: the paper's search has ended",
+            paper="1.5 min",
+            value=float(results.wide.ended),
+            holds=results.wide.ended,
+            part=FULL,
+        ),
+        Claim(text=f"circle, {name}, 5°: new starts", paper="fewer with resolution", value=wide.new_starts, part=FULL),
+        Claim(text=f"circle, {name}, 5°: branches", paper="-", value=wide.branches, part=FULL),
+        Claim(text=f"circle, {name}, 5°: comparisons", paper="can fall with resolution", value=wide.comparisons, part=FULL),
+        Claim(
+            text=f"circle, {name}, 5°: optimum of the paper's search by the bound",
+            paper="-",
+            value=wide.minimum / full.layers.bound,
+            part=FULL,
+        ),
         Claim(
             text="circle, coarse: share that self-collision drops [%]",
             paper="not spoken of",

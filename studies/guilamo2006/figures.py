@@ -28,7 +28,8 @@ SPANS = {0: (-0.45, 1.15), 1: (-0.65, 0.6), 2: (-0.45, 0.75)}
 def all_figures(results: Results, out: Path) -> None:
     """Write all figures."""
     circle, line = results.courses
-    postures(results.best(circle), results.refined(circle).refinement.q, (("front", FRONT), ("side", SIDE)), out / "circle.png")
+    views = (("front", FRONT), ("side", SIDE), ("top", TOP))
+    postures(results.best(circle), results.refined(circle).refinement.q, views, out / "circle.png")
     postures(results.best(line), results.refined(line).refinement.q, (("front", FRONT), ("top", TOP)), out / "line.png")
     curves(results, out / "index.png")
     layered(results, out / "search.png")
@@ -47,7 +48,7 @@ def blank(width: float, height: float) -> Figure:
 
 
 def postures(searched: Searched, q: Array, views: tuple[tuple[str, tuple[int, int]], ...], file: Path) -> None:
-    """Fig. 2, 4 and 6 to 8: four postures of the refined path (L, n) in two views, with the path of the tool."""
+    """Fig. 2, 4 and 6 to 8: four postures of the refined path (L, n) in some views, with the path of the tool."""
     course = searched.sampled.course
     bodies = Bodies(robot=course.robot)
     # a circle ends where it begins
@@ -55,8 +56,9 @@ def postures(searched: Searched, q: Array, views: tuple[tuple[str, tuple[int, in
     places = np.linspace(0, last, config.POSTURES).round().astype(int)
     path = course.path(np.linspace(0.0, 1.0, 200))[:, :3, 3]
     with rc_context(STYLE):
-        figure = blank(11, 5.6 if views[1][1] is SIDE else 7.0)
-        axes: Any = figure.subplots(2, config.POSTURES, sharex="row", sharey="row")
+        figure = blank(11, sum(4.2 if view is TOP else 2.8 for _, view in views))
+        heights = [np.ptp(SPANS[view[1]]) for _, view in views]
+        axes: Any = figure.subplots(len(views), config.POSTURES, sharex="row", sharey="row", height_ratios=heights)
         for row, (name, view) in zip(axes, views, strict=True):
             for ax, k in zip(row, places, strict=True):
                 for moves, outline in bodies.outlines(q[k], view):
@@ -96,6 +98,10 @@ def curves(results: Results, file: Path) -> None:
             restarted = results.restarted(course, memoised=True)
             if restarted.ended:
                 ax.plot(places, restarted.found.manipulability, "-.", color=PAPERS, linewidth=1.2, label="the paper's search")
+            elif results.wide.ended:
+                label = f"the paper's search, ε = {results.wide.epsilon:g}°"
+                [wide] = ax.plot(places, results.wide.found.manipulability, "-.", color=PAPERS, linewidth=1.2, label=label)
+                ax.legend(handles=[wide], loc="lower left", fontsize=8, frameon=True)
             ax.plot(places, best.found.manipulability, color=OPTIMUM, label="shortest of the same minimum manipulability")
             ax.plot(places, refined, color=REFINED, linewidth=2, label="refined")
             ax.axhline(best.found.minimum, color=OPTIMUM, linewidth=0.7)

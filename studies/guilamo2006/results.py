@@ -32,6 +32,11 @@ class Results:
         """Grids of the sweep."""
         return config.GRIDS if self.quick else config.FULL_GRIDS
 
+    @property
+    def even_grids(self) -> tuple[Grid, ...]:
+        """Grids of the sweep whose steps are about equal in all sampled joints."""
+        return tuple(grid for grid in self.grids if grid != config.UNEVEN)
+
     def sample(self) -> None:
         """Sample the candidates that are used most."""
         for course in self.courses:
@@ -61,6 +66,11 @@ class Results:
     def branching(self) -> list[Restarted]:
         """The paper's search on the circle for all ε and grids."""
         return tables.branching_runs(self.runs, self.courses[0])
+
+    @property
+    def wide(self) -> Restarted:
+        """The paper's search on the circle on the finest grid at an ε of 5 degrees."""
+        return self.runs.restarted(self.sampled(self.courses[0]), config.COMPARED_EPSILONS[-1], memoised=False)
 
     @cached_property
     def refinable(self) -> list[Searched]:

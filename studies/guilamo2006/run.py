@@ -28,6 +28,7 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("Table I", 0.5 if quick else 22.0, lambda: tables.table_1(runs, pair, results.table_grids).write(out)),
         ("starts", 0.1, lambda: tables.starts_table(runs, pair, results.table_grids).write(out)),
         ("ε and grid", 2.0 if quick else 18.0, lambda: tables.sampling_table(runs, pair, results.grids).write(out)),
+        ("resolution", 0.1, lambda: tables.resolution_table(runs, pair[0], results.even_grids).write(out)),
         ("branching", 3.0, lambda: tables.branching_table(results.branching).write(out)),
         ("refinement", 6.0 if quick else 13.0, lambda: tables.refinement_table(runs, results.refinable).write(out)),
         ("ties", 0.1 if quick else 6.5, lambda: tables.ties_table(runs, results.ties).write(out)),

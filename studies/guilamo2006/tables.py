@@ -92,6 +92,25 @@ def starts_table(runs: Runs, courses: tuple[Course, ...], grids: tuple[Grid, ...
     return Table.of("starts", (*head, "comparisons"), rows)
 
 
+def needed(runs: Runs, course: Course, grid: Grid, epsilon: float) -> int:
+    """Number of starts that the paper's search needs: the candidates above the optimum, and the one that succeeds."""
+    sampled = runs.sampled(course, grid)
+    return sampled.above(runs.searched(sampled, epsilon, "first").found.minimum) + 1
+
+
+def resolution_table(runs: Runs, course: Course, grids: tuple[Grid, ...]) -> Table:
+    """Section VI: starts that the paper's search needs, by the number of samples and ε."""
+    rows = []
+    for grid in grids:
+        sampled = runs.sampled(course, grid)
+        found = [runs.searched(sampled, each, "first").found.minimum for each in config.COMPARED_EPSILONS]
+        counts = [str(needed(runs, course, grid, each)) for each in config.COMPARED_EPSILONS]
+        cells = [cell for pair in zip(counts, (f"{each:.4f}" for each in found), strict=True) for cell in pair]
+        rows.append((grid_name(grid), str(sampled.per_position), f"{sampled.layers.bound:.4f}", *cells))
+    parts = [cell for each in config.COMPARED_EPSILONS for cell in (f"starts at {each:g}°", f"optimum at {each:g}°")]
+    return Table.of("resolution", ("grid", "samples per position", "bound", *parts), rows)
+
+
 def sampling_table(runs: Runs, courses: tuple[Course, ...], grids: tuple[Grid, ...]) -> Table:
     """Optimum by ε and grid, with the bound and the smallest ε that connects."""
     rows = []

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 import manipplan as mp
+from manipplan.planar import dexterous_annuli
 from studies.expected import differences as within
-from studies.kth2012 import classes, config, tables_beyond, tables_paths, tables_postures
+from studies.kth2012 import classes, config, tables_beyond, tables_global, tables_more, tables_paths, tables_postures
 from studies.kth2012.config import EXAMPLES, FIRST, SECOND, THIRD
 from studies.kth2012.results import Results
 from studies.tables import Table
@@ -33,9 +34,9 @@ class Claim:
 
 def claims(results: Results) -> list[Claim]:
     """All claims."""
-    found = [*_theorems(), *_postures(results), *_paths(results), *_third(results), *_classes(results)]
+    found = [*_theorems(), *_postures(results), *_paths(results), *_third(results), *_statements(results), *_classes(results)]
     if not results.quick:
-        found += _full(results)
+        found += [*_full(results), *_global(results)]
     return found
 
 
@@ -141,6 +142,69 @@ def _classes(results: Results) -> list[Claim]:
         found.append(Claim(text=text, thesis="-", value=each.found.g, part=QUICK if short else FULL))
     strayed = sum(not each.stayed for each in (*results.classes, *results.torus))
     return [*found, Claim(text="geodesics outside their class", thesis="-", value=float(strayed), holds=strayed == 0)]
+
+
+def _statements(results: Results) -> list[Claim]:
+    (_, most, singular), (_, least, better) = tables_more.frobenius_extremes()
+    [dexterous] = dexterous_annuli(config.ARM)
+    found = [
+        Claim(text="4.1.2: largest ‖J‖_F, at θ = 0", thesis="the global maximum", value=most, holds=abs(most**2 - 7) < 1e-9),
+        Claim(text="4.1.2: μ there", thesis="0, singular", value=singular, holds=singular < 1e-6),
+        Claim(text="4.1.2: smallest ‖J‖_F", thesis="no use either", value=least),
+        Claim(text="4.1.2: μ there, of the smallest", thesis="no use either", value=better, holds=better < 1.0),
+        Claim(text="Definition 2.6: outer radius of the dexterous workspace", thesis="-", value=dexterous.outer),
+        Claim(text="Definition 2.6: its inner radius", thesis="-", value=dexterous.inner),
+    ]
+    for (name, degree), (plane, every) in tables_more.distances(results).items():
+        alike = every < config.ALIKE
+        text = f"{name}: path of degree {degree} from that of degree 6, all joints [rad]"
+        thesis = "approximately the same" if degree >= 3 else "-"
+        found.append(Claim(text=text, thesis=thesis, value=every, holds=alike if degree >= 3 else None))
+        found.append(Claim(text=f"{text.split(',', maxsplit=1)[0]}, (θ₂, θ₃) [rad]", thesis="-", value=plane))
+    plane, every = tables_more.printed_apart(results)
+    share = tables_more.roundings(results)[2]
+    return [
+        *found,
+        Claim(text="Table 6.3: its curve from ours, (θ₂, θ₃) [rad]", thesis="-", value=plane),
+        Claim(text="Table 6.3: its curve from ours, all joints [rad]", thesis="-", value=every, holds=every < config.ALIKE),
+        Claim(text="Table 6.4: share of the roundings of Table 6.3 that print 0.27", thesis="1", value=share, holds=share == 1),
+    ]
+
+
+def _global(results: Results) -> list[Claim]:
+    found = []
+    for case in tables_global.CASES:
+        best, ours = results.global_optimum(*case[:2], shifted=case[2]), tables_global.best_path(results, *case)
+        name = tables_global.case_name(*case)
+        above = ours / best.path.g - 1
+        found += [
+            Claim(text=f"global optimum, {name}: V on the finest grid", thesis="-", value=best.values[-1], part=FULL),
+            Claim(text=f"global optimum, {name}: g", thesis="-", value=best.path.g, part=FULL),
+            Claim(
+                text=f"global optimum, {name}: share by which degree 6 is above it",
+                thesis="global optimality",
+                value=above,
+                holds=abs(above) < config.NEAR and best.proven and abs(best.values[-1] / best.path.g - 1) < 3 * config.NEAR,
+                part=FULL,
+            ),
+        ]
+    for example in EXAMPLES:
+        for power in (config.TABLE_POWER, config.TEXT_POWER):
+            turns = results.turns(example, power)
+            text = f"{example.name}, p = {power:g}: goals a full turn away that are better"
+            value = float(sum(each < 0.99 * turns[0, 0] for each in turns.values()))
+            found.append(Claim(text=text, thesis="-", value=value, part=FULL))
+    for example, posts in config.POSTS:
+        ratio = results.among(example, posts).g / results.among_optimum(example, posts)[-1]
+        text = f"{example.name} among {len(posts)} of the posts: g by V"
+        found.append(Claim(text=text, thesis="-", value=ratio, holds=ratio < 1 + config.POST_ERROR, part=FULL))
+    for power in (config.TABLE_POWER, config.TEXT_POWER):
+        pairs = results.pairs(power)
+        for each in tables_global.ABOVE:
+            text = f"random pairs, p = {power:g}: more than {each:g} % above V, of {len(pairs)}"
+            value = float((pairs[:, 1] > (1 + each / 100) * pairs[:, 0]).sum())
+            found.append(Claim(text=text, thesis="-", value=value, part=FULL))
+    return found
 
 
 def _full(results: Results) -> list[Claim]:

@@ -72,6 +72,7 @@ TWO_LINKS = PlanarArm([1.0, 1.0])
 TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; for the check in closed form
 OBSTACLE_DEGREE, FIRST_PATHS = 8, 4
 LINK_RADIUS, POST_RADIUS, CLEARANCE = 0.05, 0.1, 0.005  # [m]
+REACH = LINK_RADIUS + POST_RADIUS + CLEARANCE  # smallest distance of a link's axis from a post's [m]
 #: Posts in the way of the free optimum, (x, y) [m].
 POSTS = (
     (FIRST, ((-0.4, 2.0),)),
@@ -79,3 +80,11 @@ POSTS = (
     (SECOND, ((0.8, 2.0),)),
     (SECOND, ((0.4, 2.4), (2.0, -0.4))),
 )
+
+# The global optimum by fast marching: grid steps [rad] without posts and among them; the pairs of postures are random.
+MARCH_STEPS, POST_STEPS, PAIR_STEP, SHIFT_STEP = (0.1, 0.05, 0.035), (0.1, 0.07), 0.07, 0.1
+PAIR_STARTS, PAIR_GOALS = 5, 20
+#: The optimiser's path counts as the global optimum up to this share; with posts, whose outlines are those of the grid.
+NEAR, POST_ERROR = 1e-3, 0.02
+#: Curves count as approximately the same up to this distance [rad].
+ALIKE = 0.1

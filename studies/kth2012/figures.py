@@ -8,7 +8,7 @@ from studies.kth2012.config import FIRST, SECOND
 from studies.kth2012.results import Results
 
 #: What --quick leaves out.
-FULL_ONLY = ("torus", "convergence", "obstacles", "links")
+FULL_ONLY = ("torus", "convergence", "obstacles", "links", "global")
 
 
 def figures(results: Results) -> dict[str, Callable[[Path], None]]:
@@ -35,5 +35,6 @@ def figures(results: Results) -> dict[str, Callable[[Path], None]]:
         "torus": lambda file: beyond.turned(results, file),
         "convergence": lambda file: beyond.convergence(results, file),
         "obstacles": lambda file: beyond.obstacles(results, file),
+        "global": lambda file: beyond.march(results, file),
         "links": lambda file: beyond.more_links(results, file),
     }

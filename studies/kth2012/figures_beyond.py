@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.planar import PlanarArm, velocity_ellipse
 from manipplan.viz.style import OBSTACLE
-from studies.kth2012 import classes, config
+from studies.kth2012 import classes, config, eikonal
 from studies.kth2012.config import ARM as UNIT
 from studies.kth2012.config import EXAMPLES, FIRST
 from studies.kth2012.drawing import (
@@ -86,6 +86,34 @@ def convergence(results: Results, file: Path) -> None:
                 ax.plot(degrees, values, dash, marker=mark, markersize=4, color=colour, label=label)
         ax.set(xlabel="degree", ylabel="g of the polynomial less that of the geodesic", yscale="log")
         ax.legend(fontsize=8)
+        save(figure, file)
+
+
+def march(results: Results, file: Path) -> None:
+    """V of the first example over (θ₂, θ₃) at the goal's θ₁, and the two best paths, for both exponents."""
+    with rc_context(STYLE):
+        figure = blank(9.6, 4.4)
+        axes: Any = figure.subplots(1, 2, sharey=True)
+        for ax, power in zip(axes, (config.TABLE_POWER, config.TEXT_POWER), strict=True):
+            goals = [np.array(FIRST.goal), results.shifted_goal(FIRST)]
+            field = eikonal.solve(UNIT, FIRST.start, goals, power, config.SHIFT_STEP)
+            level = round((FIRST.goal[0] - field.low[0]) / field.step)
+            values = field.values[level]
+            second, third = (field.low[k] + field.step * np.arange(values.shape[k - 1]) for k in (1, 2))
+            top = 2 * float(field(goals[0])[0])
+            filled = ax.contourf(second, third, values.T, levels=np.linspace(0, top, 25), cmap="viridis_r", extend="max")
+            filled.set_rasterized(True)
+            for shifted, colour in ((False, STRAIGHT), (True, OPTIMUM)):
+                path = results.global_optimum(FIRST, power, shifted=shifted).path
+                q = path.q[::EVERY]
+                ax.plot(q[:, 1], q[:, 2], color="white", linewidth=2.8)
+                ax.plot(q[:, 1], q[:, 2], color=colour, label=f"g = {path.g:.4f}")
+                ax.plot(*q[-1, 1:], "o", color="black", zorder=6)
+            ax.plot(*FIRST.start[1:], "o", color="white", markeredgecolor="black", zorder=6)
+            ax.set(xlabel="θ₂ [rad]", title=f"p = {power:g}")
+            ax.legend(loc="lower right", fontsize=8, frameon=True)
+            figure.colorbar(filled, ax=ax, label="V at θ₁ = π")
+        axes[0].set_ylabel("θ₃ [rad]")
         save(figure, file)
 
 

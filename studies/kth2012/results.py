@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import manipplan as mp
 from manipplan.planar import PostureSet, stationary_postures
-from studies.kth2012 import classes, config
+from studies.kth2012 import classes, config, eikonal
 from studies.kth2012.classes import Walk
 from studies.kth2012.config import ARM, Example
 from studies.kth2012.geodesics import Geodesic, geodesic
@@ -189,6 +189,72 @@ class Results:
             )
 
         return self.once(("among", example, posts), run)
+
+    def shifted_goal(self, example: Example) -> Array:
+        """The goal of the best path over goals that differ by full turns of θ_2 and θ_3, p = 2."""
+        return np.array(example.goal) + TURN * np.array(self.best_crossing(example, shifted=True).shift)
+
+    def global_optimum(self, example: Example, power: float, *, shifted: bool = False) -> eikonal.Global:
+        """The best of all paths to the goal, or to the shifted goal, by fast marching."""
+        goal = self.shifted_goal(example) if shifted else np.array(example.goal)
+
+        def run() -> eikonal.Global:
+            return eikonal.global_optimum(ARM, np.array(example.start), goal, power, config.MARCH_STEPS)
+
+        return self.once(("global", example, power, shifted), run)
+
+    def to_goal(self, example: Example, power: float, goal: Array) -> mp.results.PathResult:
+        """The optimal path of degree 6 to another goal."""
+
+        def run() -> mp.results.PathResult:
+            objective = mp.PathObjective(power=power, floor=0.0)
+            shape = mp.PathShape(degree=config.BEST_DEGREE)
+            return mp.optimize_path(self.robot, example.start, goal, shape=shape, objective=objective)
+
+        return self.once(("to goal", example, power, tuple(goal)), run)
+
+    def turns(self, example: Example, power: float) -> dict[tuple[int, int], float]:
+        """V at the goals that differ by a full turn of θ_2 and θ_3."""
+        shifts = [(k, j) for k in (-1, 0, 1) for j in (-1, 0, 1)]
+        goals = np.array([np.array(example.goal) + TURN * np.array([0, *each]) for each in shifts])
+
+        def run() -> dict[tuple[int, int], float]:
+            field = eikonal.solve(ARM, example.start, goals, power, config.SHIFT_STEP)
+            return dict(zip(shifts, field(goals).tolist(), strict=True))
+
+        return self.once(("turns", example, power), run)
+
+    def among_optimum(self, example: Example, posts: tuple[tuple[float, float], ...]) -> tuple[float, ...]:
+        """V at the goal among posts, by grid step."""
+
+        def run() -> tuple[float, ...]:
+            found = []
+            for step in config.POST_STEPS:
+                field = eikonal.solve(
+                    ARM, example.start, [example.goal], config.TABLE_POWER, step, posts=posts, reach=config.REACH
+                )
+                found.append(float(field(np.array(example.goal))[0]))
+            return tuple(found)
+
+        return self.once(("global among", example, posts), run)
+
+    def pairs(self, power: float) -> Array:
+        """V and g of the optimiser's path of degree 6 for random pairs of postures (k, 2)."""
+
+        def run() -> Array:
+            random = np.random.default_rng(0)
+            found = []
+            for _ in range(config.PAIR_STARTS):
+                start = np.array([0.0, *random.uniform(-np.pi, np.pi, 2)])
+                goals = random.uniform((0, -np.pi, -np.pi), np.pi, (config.PAIR_GOALS, 3))
+                values = eikonal.solve(ARM, start, goals, power, config.PAIR_STEP)(goals)
+                shape, objective = mp.PathShape(degree=config.BEST_DEGREE), mp.PathObjective(power=power, floor=0.0)
+                for goal, value in zip(goals, values, strict=True):
+                    path = mp.optimize_path(self.robot, start, goal, shape=shape, objective=objective)
+                    found.append((value, path.g))
+            return np.array(found)
+
+        return self.once(("pairs", power), run)
 
     def once(self, key: object, run: Callable[[], Kind]) -> Kind:
         """The result for this key; runs the function if there is none yet."""

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from studies import command
-from studies.kth2012 import claims, config, tables_beyond, tables_paths, tables_postures
+from studies.kth2012 import claims, config, tables_beyond, tables_global, tables_more, tables_paths, tables_postures
 from studies.kth2012.figures import FULL_ONLY, figures
 from studies.kth2012.results import Results
 from studies.tables import Table
@@ -31,6 +31,9 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("convergence", 4.0, lambda: written(tables_beyond.convergence_table(results), tables_beyond.two_links_table(results))),
         ("posts", 6.0, lambda: written(tables_beyond.obstacles_table(results))),
         ("more links", 3.0, lambda: written(tables_beyond.links_table(results))),
+        ("global optimum", 60.0, lambda: written(tables_global.global_table(results), tables_global.turns_table(results))),
+        ("global optimum among posts", 40.0, lambda: written(tables_global.global_posts_table(results))),
+        ("random pairs", 60.0, lambda: written(tables_global.pairs_table(results))),
     ]
     return [
         ("theorems", 1.0, lambda: written(tables_postures.theorems_table(tables_postures.theorems()))),
@@ -39,6 +42,8 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("Tables 6.1 and 6.2", 2.0, lambda: written(*tables_paths.path_tables(results))),
         ("Table 6.3", 0.5, lambda: written(tables_paths.table_6_3(results), tables_paths.costs_6_3(results))),
         ("Table 6.4", 0.1, lambda: written(tables_paths.table_6_4(results))),
+        ("statements", 3.0, lambda: written(tables_more.frobenius_table(), tables_more.workspaces_table())),
+        ("curves", 1.0, lambda: written(tables_more.distances_table(results), tables_more.rounding_table(results))),
         ("homotopy classes", 0.5 if quick else 3.0, lambda: written(tables_beyond.classes_table(results))),
         *([] if quick else beyond),
         *((name, 0.2, lambda name=name, write=write: write(out / f"{name}.svg")) for name, write in drawn.items()),

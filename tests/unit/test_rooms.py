@@ -26,12 +26,13 @@ CONVENIENCES = {
     "programs.program.Program.record",
 }
 
-#: Benchmarks that import more than public names, each with the reason.
+#: Benchmarks and studies that import more than public names, each with the reason.
 INSIDE = {
     "benchmarks/constant_speed.py": "takes the largest constant speed of a joint path that was chosen without one",
     "benchmarks/inverse_kinematics.py": "counts the poses whose own swivel or held joints are given, in batches",
     "benchmarks/own_configuration.py": "gives the values of the parameters that a configuration has",
     "benchmarks/seeds.py": "takes the times of a search and of its proof apart",
+    "studies/dufour2020/figures.py": "renders the arm with its meshes at single postures",
 }
 
 

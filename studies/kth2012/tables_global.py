@@ -1,0 +1,82 @@
+"""Tables on the global optimum by fast marching."""
+
+import numpy as np
+
+from studies.kth2012 import config
+from studies.kth2012.config import EXAMPLES, FIRST, TABLE_POWER, TEXT_POWER, Example
+from studies.kth2012.results import Results
+from studies.kth2012.tables_beyond import MARKS
+from studies.tables import Table
+
+#: The problems whose global optimum is sought: example, p, and whether the goal is the best of those a full turn away.
+CASES: tuple[tuple[Example, float, bool], ...] = (
+    *((example, power, False) for example in EXAMPLES for power in (TABLE_POWER, TEXT_POWER)),
+    *((FIRST, power, True) for power in (TABLE_POWER, TEXT_POWER)),
+)
+#: Shares [%] by which the optimiser's path of a random pair is above V.
+ABOVE = (1.0, 3.0, 10.0)
+
+
+def case_name(example: Example, power: float, shifted: bool) -> str:
+    """A problem in tables and claims."""
+    return f"{example.name}{', θ₂ - 2π' if shifted else ''}, p = {power:g}"
+
+
+def best_path(results: Results, example: Example, power: float, shifted: bool) -> float:
+    """g of the optimiser's path of degree 6."""
+    goal = results.shifted_goal(example) if shifted else np.array(example.goal)
+    return float(results.to_goal(example, power, goal).g) if shifted else float(results.path(example, 6, power).g)
+
+
+def global_table(results: Results) -> Table:
+    """V by grid step, the geodesic that it leads to, and the optimiser's path."""
+    rows = []
+    for case in CASES:
+        found, ours = results.global_optimum(*case[:2], shifted=case[2]), best_path(results, *case)
+        values = [f"{each:.4f}" for each in found.values]
+        above = f"{ours / found.path.g - 1:.1e}"
+        rows.append((case_name(*case), *values, f"{found.path.g:.6f}", f"{ours:.6f}", above, f"{found.outside:.2f}"))
+    steps = tuple(f"V, step {each:g} rad" for each in config.MARCH_STEPS)
+    head = ("problem", *steps, "its path, polished", "optimiser, degree 6", "above it, share", "through the walls, at least")
+    return Table.of("global", head, rows)
+
+
+def turns_table(results: Results) -> Table:
+    """V at all goals that differ by full turns of θ₂ and θ₃."""
+    rows = []
+    for example in EXAMPLES:
+        for power in (TABLE_POWER, TEXT_POWER):
+            values = results.turns(example, power)
+            best = min(values, key=lambda each: values[each])
+            rows.append((example.name, f"{power:g}", *(f"{each:.2f}" for each in values.values()), _turn(best)))
+    head = ("example", "p", *(_turn(each) for each in results.turns(FIRST, TABLE_POWER)), "best")
+    return Table.of("turns", head, rows)
+
+
+def _turn(shift: tuple[int, int]) -> str:
+    return f"({', '.join(MARKS[each] for each in shift)})"
+
+
+def global_posts_table(results: Results) -> Table:
+    """V among posts by grid step, and the study's path."""
+    rows = []
+    for example, posts in config.POSTS:
+        values, ours = results.among_optimum(example, posts), results.among(example, posts).g
+        share = f"{100 * (ours / values[-1] - 1):+.1f}"
+        places = ", ".join(f"({x:g}, {y:g})" for x, y in posts)
+        rows.append((example.name, places, *(f"{each:.3f}" for each in values), f"{ours:.4f}", share))
+    steps = tuple(f"V, step {each:g} rad" for each in config.POST_STEPS)
+    return Table.of("global_posts", ("example", "posts at [m]", *steps, "optimiser", "above V [%]"), rows)
+
+
+def pairs_table(results: Results) -> Table:
+    """How often one run of the optimiser misses the global optimum of a random pair."""
+    rows = []
+    for power in (TABLE_POWER, TEXT_POWER):
+        excess = 100 * (results.pairs(power)[:, 1] / results.pairs(power)[:, 0] - 1)
+        counts = [str(int((excess > each).sum())) for each in ABOVE]
+        rows.append(
+            (f"{power:g}", str(len(excess)), *(f"{np.percentile(excess, each):.2f}" for each in (0, 50, 90, 100)), *counts)
+        )
+    head = ("p", "pairs", "least [%]", "median [%]", "90 % of pairs [%]", "most [%]")
+    return Table.of("pairs", (*head, *(f"above by more than {each:g} %" for each in ABOVE)), rows)
