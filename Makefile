@@ -4,7 +4,7 @@ BIN := .venv/bin
 READY := .venv/.ready
 OLD := .peers/manipplan-0.1
 
-.PHONY: demo test quick test-all test-long browser ffmpeg egl lint types docs links figures pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
+.PHONY: demo test quick test-all test-long browser ffmpeg egl marching lint types docs links figures pictures kernels fuzz benchmark benchmark-peers benchmark-paths benchmark-convergence clean
 
 demo: $(READY)
 	$(BIN)/manipplan demo
@@ -17,7 +17,7 @@ quick: $(READY)
 	$(BIN)/python -m pytest --brief tests/unit
 
 # Adds the slow tests, all examples of the laws, the pages, the studies, the benchmarks and what needs a browser.
-test-all: $(READY) browser ffmpeg egl
+test-all: $(READY) browser ffmpeg egl marching
 	$(BIN)/python -m pytest -m "not long and not site"
 
 test-long: $(READY)
@@ -33,6 +33,10 @@ ffmpeg:
 # Films are rendered without a display.
 egl:
 	$(call package,test "$$(uname)" != Linux || /sbin/ldconfig -p | grep -q libEGL.so.1,libegl1 libgl1-mesa-dri)
+
+# Whole runs of the study kth2012 need it; a C compiler builds it.
+marching: $(READY)
+	@$(BIN)/python -c "import skfmm" 2>/dev/null || $(BIN)/python -m pip install --quiet --disable-pip-version-check scikit-fmm==2025.6.23
 
 # Installs packages $(2) unless the command $(1) succeeds.
 define package

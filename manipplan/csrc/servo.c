@@ -454,9 +454,6 @@ static void singular_rates(const Servo *servo, Work *w) {
         double force = along(w, v, servo->acceleration), toward = sign(b) * kappa;
         /* a pole: the least damping with which its passage needs no more than the joints' speed and acceleration */
         double lambda = PASSING * w->size * most(1 / (2 * fastest), 1 / sqrt(force));
-        double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
-        double sd = most(s, NUDGE * share * share);
-        double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
         /* approaching a fold: no faster than the arm can stop at σ = ARRIVAL, in the distance σ / bend */
         double bend = -toward;
         if (w->n > w->r && s < EPSILON) { /* v_k may have turned into the null space: the sharper curvature counts */
@@ -470,6 +467,9 @@ static void singular_rates(const Servo *servo, Work *w) {
             eigen(d, K, value, vector);
             bend = most(bend, value[0]);
         }
+        double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
+        double sd = most(s, NUDGE * share * share * clip(1 - bend / 0.02, 0, 1));
+        double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
         double fade = clip(bend / BENT, 0, 1), cap = fastest;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
         double capped = clip(b / most(s, 1e-9), -cap, cap), approach = fade * capped + (1 - fade) * damped;
@@ -581,7 +581,7 @@ static void escape(const Servo *servo, Work *w) {
     for (long a = 0; a < d; a++)
         for (long c = 0; c < d; c++) RR[a][c] = dot(n, R[a], R[c]);
     eigen(d, RR, value, vector);
-    if (value[0] <= 0.02 * 0.02) return;
+    if (value[0] <= 0.005 * 0.005) return;
     double toward = 0;
     for (long i = 0; i < n; i++) {
         way[i] = 0;

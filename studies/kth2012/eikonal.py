@@ -11,8 +11,10 @@ sum has to be above V at the goal. The walls of θ_1 need no such check: μ does
 that of the box.
 """
 
+import importlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import ModuleType
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -75,6 +77,14 @@ class Field:
         return mp.JointPath.through(np.array([self.start, *points[::-1][:: round(0.2 / self.step)][:-1], goal]))
 
 
+def marching() -> ModuleType:
+    """scikit-fmm; raises ModuleNotFoundError with the line that installs it."""
+    try:
+        return importlib.import_module("skfmm")
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError("the global optimum needs scikit-fmm: python -m pip install scikit-fmm") from error
+
+
 def solve(
     arm: PlanarArm,
     start: ArrayLike,
@@ -90,10 +100,7 @@ def solve(
 
     Postures are left out in which a link's axis is less than `reach` [m] from one of the `posts`, (x, y) [m].
     """
-    try:
-        import skfmm
-    except ModuleNotFoundError as error:
-        raise ModuleNotFoundError("the global optimum needs scikit-fmm: python -m pip install scikit-fmm") from error
+    skfmm = marching()
     ends = np.vstack([np.asarray(start, dtype=float), np.asarray(goals, dtype=float)])
     # with posts θ_1 can turn back
     around = np.array([THIN if not posts else room, room, room])

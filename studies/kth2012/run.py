@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from studies import command
-from studies.kth2012 import claims, config, tables_beyond, tables_global, tables_more, tables_paths, tables_postures
+from studies.kth2012 import claims, config, eikonal, tables_beyond, tables_global, tables_more, tables_paths, tables_postures
 from studies.kth2012.figures import FULL_ONLY, figures
 from studies.kth2012.results import Results
 from studies.tables import Table
@@ -11,6 +11,8 @@ from studies.tables import Table
 
 def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim]:
     """Make all tables and figures; returns the claims."""
+    if not quick:
+        eikonal.marching()
     results, found = Results(quick=quick), []
     command.in_stages(stages(results, out, found), notify)
     return found

@@ -1,6 +1,7 @@
 """Every item of the papers has a verdict that its page shows; misprints are what they say; pages are not stale."""
 
 import csv
+import importlib.util
 import itertools
 import shutil
 
@@ -14,6 +15,9 @@ from studies.guilamo2006 import config as guilamo
 from studies.kth2012 import config as kth
 from studies.kth2012 import eikonal
 
+needs_marching = pytest.mark.skipif(
+    importlib.util.find_spec("skfmm") is None, reason="needs scikit-fmm: make marching, which builds it by a C compiler"
+)
 STUDIES = [kth.PAGES, dufour.PAGES, guilamo.PAGES]
 
 
@@ -140,6 +144,7 @@ def test_comments_and_layout_do_not_change_the_hash(tmp_path, monkeypatch):
 # The global optimum.
 
 
+@needs_marching
 def test_marching_finds_the_global_optimum():
     found = eikonal.global_optimum(kth.ARM, np.array(kth.SECOND.start), np.array(kth.SECOND.goal), 2.0, (0.1,))
     assert found.path.g == pytest.approx(1.1106673, rel=1e-6)  # of classes.csv, by another first path
@@ -147,6 +152,7 @@ def test_marching_finds_the_global_optimum():
     assert found.proven
 
 
+@needs_marching
 def test_marching_near_the_start_is_the_cost_of_a_line():
     start, power = np.array([0.0, 0.8, 1.1]), 1.0
     field = eikonal.solve(kth.ARM, start, [start + 0.5], power, 0.05)
