@@ -30,6 +30,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define SMALL 0.12       /* singular values below this are looked at one by one [m] */
 #define LOST 0.02        /* directions below this are lost [m] */
 #define TURNED 3e-3      /* below this the lost direction is turned, where nothing else helps [m] */
+#define SPUN 5e-3        /* slower than this it is not turned [m/rad] */
 #define NULL_WEIGHT 1e-3 /* weight of the null space in (1) */
 #define RATE 1.0         /* of the drive in the null space [1/s] */
 #define RANGE 0.1        /* of the drive's joint limits [rad] */
@@ -46,6 +47,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define ARRIVAL 1e-3     /* σ at which an approach of a fold ends [m]: keeps v defined, and costs 5 µm of reach */
 #define GUARDED 5e-4     /* σ of a fold that is not fallen below [m] */
 #define BENT 0.05        /* curvature from which a singularity is a fold */
+#define STRAIGHT 0.02    /* curvature up to which it is a pole; between the two it is both, in part */
 #define AHEAD 0.1        /* joint motion to which ways out are compared [rad] */
 #define VANISHED 1e-11   /* σ whose v is rounding [m] */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
@@ -468,7 +470,7 @@ static void singular_rates(const Servo *servo, Work *w) {
             bend = most(bend, value[0]);
         }
         double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
-        double sd = most(s, NUDGE * share * share * clip(1 - bend / 0.02, 0, 1));
+        double sd = most(s, NUDGE * share * share * clip(1 - bend / STRAIGHT, 0, 1));
         double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
         double fade = clip(bend / BENT, 0, 1), cap = fastest;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
@@ -551,10 +553,10 @@ static void escape(const Servo *servo, Work *w) {
         way[i] = 0;
         for (long a = 0; a < d; a++) way[i] += N[a][i] * best[a];
     }
-    if (bent > 0.02 && rise * AHEAD + 0.5 * bent * AHEAD * AHEAD > 0) {
+    if (bent > STRAIGHT && rise * AHEAD + 0.5 * bent * AHEAD * AHEAD > 0) {
         double speed = (-rise + sqrt(rise * rise + 2 * bent * lost * T)) / (bent * T);
         speed = least(speed, along(w, way, servo->velocity));
-        double blend = clip(bent / BENT, 0, 1);
+        double blend = clip((bent - STRAIGHT) / (BENT - STRAIGHT), 0, 1);
         for (long a = 0; a < d; a++) {
             w->g[first + a] = (1 - blend) * w->g[first + a] + blend * best[a] * speed;
             w->w[first + a] = most(w->w[first + a], EPSILON);
@@ -565,7 +567,7 @@ static void escape(const Servo *servo, Work *w) {
     }
     double sharpest = 0, smallest = w->s[w->r - 1];
     for (long a = 0; a < d; a++) sharpest = most(sharpest, fabs(value[a]));
-    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= 0.02) return;
+    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= STRAIGHT) return;
     /* R = Nᵀ M (I - N Nᵀ): how fast motions in N turn the lost direction; the top left singular vector of R */
     double R[MOST][MOST], RR[MOST][MOST];
     for (long a = 0; a < d; a++) {
@@ -581,7 +583,8 @@ static void escape(const Servo *servo, Work *w) {
     for (long a = 0; a < d; a++)
         for (long c = 0; c < d; c++) RR[a][c] = dot(n, R[a], R[c]);
     eigen(d, RR, value, vector);
-    if (value[0] <= 0.005 * 0.005) return;
+    double spin = sqrt(most(value[0], 0));
+    if (spin <= SPUN) return;
     double toward = 0;
     for (long i = 0; i < n; i++) {
         way[i] = 0;
@@ -589,7 +592,8 @@ static void escape(const Servo *servo, Work *w) {
         toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
     }
     double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
-    double share = (1 - smallest / TURNED) * (lost / w->size - 0.7) / 0.3;
+    double share = (1 - smallest / TURNED) * (lost / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1)
+                 * least(2 * (1 - sharpest / STRAIGHT), 1);
     for (long a = 0; a < d; a++) {
         w->g[first + a] += share * (turn * vector[0][a] * fastest - w->g[first + a]);
         w->w[first + a] = most(w->w[first + a], EPSILON);
