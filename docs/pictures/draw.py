@@ -17,7 +17,7 @@ import manipplan as mp
 from manipplan.cost.crossings import find_crossings
 from manipplan.cost.density import floor_of
 from manipplan.viz.motions import skeleton
-from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE
+from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE, label_powers
 
 HERE = Path(__file__).parent
 #: Every run writes the same file; titles are centred, and legends are as large as other text.
@@ -274,6 +274,7 @@ def main(names):
             continue
         with mpl.rc_context({**STYLE, **FIXED}):
             figure = draw()
+            label_powers(figure)
             figure.savefig(
                 HERE / f"{draw.__name__}.svg", dpi=200, bbox_inches="tight", metadata={"Date": None}, facecolor="white"
             )

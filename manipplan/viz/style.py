@@ -86,6 +86,25 @@ def measure_label(kinematics: Kinematics) -> str:
     return with_unit(kinematics.measure.name, kinematics.measure.unit(kinematics.task))
 
 
+def label_powers(figure: Any) -> None:
+    """Label logarithmic axes with 0.5, 100 and 2×10⁴. Matplotlib would write formulas, which this style does not read."""
+    from matplotlib.ticker import LogFormatterSciNotation
+
+    class Powers(LogFormatterSciNotation):
+        def __call__(self, x: float, pos: int | None = None) -> str:
+            formula = super().__call__(x, pos)  # such as $\mathdefault{2\times10^{4}}$
+            if formula and 0.01 <= x < 1e4:
+                return f"{x:g}"
+            text = re.sub(r"\^\{(-?\d+)\}", lambda power: power[1].translate(SUPERSCRIPTS), formula)
+            return text.removeprefix(r"$\mathdefault{").removesuffix("}$").replace(r"\times", "×")
+
+    for axis in (each for ax in figure.axes for each in (ax.xaxis, ax.yaxis)):
+        if axis.get_scale() == "log" and isinstance(axis.get_major_formatter(), LogFormatterSciNotation):
+            axis.set_major_formatter(Powers())
+        if axis.get_scale() == "log" and isinstance(axis.get_minor_formatter(), LogFormatterSciNotation):
+            axis.set_minor_formatter(Powers())
+
+
 def name_axes(ax: Any) -> None:
     """Label spatial axes with x, y and z in metres."""
     ax.set(xlabel="x [m]", ylabel="y [m]")

@@ -12,7 +12,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 import manipplan as mp
 from manipplan.viz.render import DrawnWay, Renderer
-from manipplan.viz.style import JOINTS, STRAIGHT, STYLE
+from manipplan.viz.style import JOINTS, STRAIGHT, STYLE, label_powers
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
@@ -36,6 +36,7 @@ def name_of(run: Run) -> str:
 
 def save(figure: Figure, file: Path) -> None:
     """Write it as PNG."""
+    label_powers(figure)
     figure.savefig(file, dpi=DPI, metadata={"Software": None})
 
 

@@ -8,7 +8,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from manipplan.viz.style import JOINTS, OPTIMUM, SEED, STRAIGHT, STYLE
+from manipplan.viz.style import JOINTS, OPTIMUM, SEED, STRAIGHT, STYLE, label_powers
 from studies.guilamo2006 import config, tables
 from studies.guilamo2006.bodies import Bodies
 from studies.guilamo2006.courses import Array
@@ -39,6 +39,7 @@ def all_figures(results: Results, out: Path) -> None:
 
 def save(figure: Figure, file: Path) -> None:
     """Write the figure as PNG."""
+    label_powers(figure)
     figure.savefig(file, dpi=DPI, metadata={"Software": None})
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import manipplan as mp
 from manipplan.planar import PlanarArm, manipulability
-from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OPTIMUM, SEED, STRAIGHT, STYLE
+from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OPTIMUM, SEED, STRAIGHT, STYLE, label_powers
 from studies.kth2012 import config
 
 Array = NDArray[np.float64]
@@ -31,6 +31,7 @@ def blank(width: float, height: float) -> Figure:
 
 def save(figure: Figure, file: Path) -> None:
     """Write the figure as SVG, with the same bytes in every run."""
+    label_powers(figure)
     with rc_context({"svg.hashsalt": file.stem, "svg.fonttype": "path"}):
         figure.savefig(file, dpi=DPI, metadata={"Date": None, "Creator": None})
 

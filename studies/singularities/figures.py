@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from manipplan.viz.style import STYLE
+from manipplan.viz.style import STYLE, label_powers
 from studies.singularities.slopes import Series
 
 DPI = 110
@@ -31,4 +31,5 @@ def slopes(arms: Sequence[Sequence[Series]], file: Path) -> None:
             ax.xaxis.set_major_formatter("{x:g}")
             ax.minorticks_off()
             ax.legend(loc="upper left")
+        label_powers(figure)
         figure.savefig(file, dpi=DPI, metadata={"Software": None})

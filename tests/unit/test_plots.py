@@ -18,6 +18,7 @@ from PIL import Image
 import manipplan as mp
 from manipplan import viz
 from manipplan.search.refine import Refinement
+from manipplan.viz import style
 from manipplan.viz.arm import draw_surface
 from manipplan.viz.shapes import arm_surfaces, obstacle_surfaces, plane_patches, surface_of
 
@@ -604,3 +605,21 @@ def test_characters_that_no_font_has_are_told_once(caplog):
         assert "<img" in scene._repr_html_()
     [record] = [each for each in caplog.records if "font" in each.message]
     assert "has no 箱子: install one" in record.message and "fonts-noto-cjk" in record.message
+
+
+def test_logarithmic_axes_have_labels_without_formulas():
+    with style.shared():
+        figure = Figure()
+        upper, lower = figure.subplots(2)
+        upper.plot([1e-5, 2e4], [1, 2])
+        upper.set(xscale="log", xlim=(1e-5, 1e5))
+        lower.plot([1.5, 8.0], [1, 2])
+        lower.set(xscale="log")
+        lower.set_yscale("log")
+        lower.set_yticks([1, 2], ["one", "two"])
+        style.label_powers(figure)
+        figure.canvas.draw()
+    labels = [label.get_text() for label in upper.get_xticklabels()]
+    assert {"10⁻⁵", "0.1", "1000"} <= set(labels) and not any("$" in label for label in labels)
+    assert {"2", "4"} <= {label.get_text() for label in lower.get_xticklabels(minor=True)}
+    assert [label.get_text() for label in lower.get_yticklabels()] == ["one", "two"]
