@@ -7,7 +7,7 @@ from typing import Any
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.support.errors import InvalidInputError
 
-__all__ = ["ARM", "ELLIPSOID", "JOINTS", "OBSTACLE", "OPTIMUM", "PIECES", "SEED", "STRAIGHT", "STYLE", "shared"]
+__all__ = ["ARM", "ELLIPSOID", "JOINTS", "OBSTACLE", "OPTIMUM", "PIECES", "SEED", "STRAIGHT", "STYLE", "label_powers", "shared"]
 
 #: Maximum number of places along a motion at which something is drawn.
 MOST_PLACES = 1000
