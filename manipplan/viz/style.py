@@ -5,6 +5,7 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.support.checks import instance
 from manipplan.support.errors import InvalidInputError
 
 __all__ = ["ARM", "ELLIPSOID", "JOINTS", "OBSTACLE", "OPTIMUM", "PIECES", "SEED", "STRAIGHT", "STYLE", "label_powers", "shared"]
@@ -87,7 +88,12 @@ def measure_label(kinematics: Kinematics) -> str:
 
 
 def label_powers(figure: Any) -> None:
-    """Label logarithmic axes with 0.5, 100 and 2×10⁴. Matplotlib would write formulas, which this style does not read."""
+    """Label a Matplotlib figure's logarithmic axes with 0.5, 100 and 2×10⁴.
+
+    Matplotlib would write formulas, which `STYLE` shows as they are: a name from a file is none. Raises InvalidInputError for
+    anything but a figure.
+    """
+    from matplotlib.figure import FigureBase
     from matplotlib.ticker import LogFormatterSciNotation
 
     class Powers(LogFormatterSciNotation):
@@ -98,6 +104,7 @@ def label_powers(figure: Any) -> None:
             text = re.sub(r"\^\{(-?\d+)\}", lambda power: power[1].translate(SUPERSCRIPTS), formula)
             return text.removeprefix(r"$\mathdefault{").removesuffix("}$").replace(r"\times", "×")
 
+    instance("figure", figure, FigureBase)
     for axis in (each for ax in figure.axes for each in (ax.xaxis, ax.yaxis)):
         if axis.get_scale() == "log" and isinstance(axis.get_major_formatter(), LogFormatterSciNotation):
             axis.set_major_formatter(Powers())
