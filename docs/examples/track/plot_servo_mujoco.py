@@ -9,7 +9,7 @@ A servo in a closed loop with MuJoCo
 
 *For teleoperation of an arm that is not ideal.*
 
-A real arm does not do at once what it is commanded: its motors have torque limits, its
+A real arm lags behind its commands: its motors have torque limits, its
 state arrives late, and so does the command. Here ``mp.Servo`` drives a Panda in MuJoCo
 with all three, out to the edge of its reach, sideways, and back. Damped least squares,
 the usual remedy at singularities, does the same for comparison.
