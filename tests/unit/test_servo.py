@@ -50,7 +50,8 @@ def servos():
 def kinematics(robot, q):
     """Pose and scaled Jacobian by Pinocchio."""
     data = robot.model.createData()
-    frame = [k for k, each in enumerate(robot.model.frames) if each.name == robot.tool][-1]  # a joint may have a link's name
+    links = [frame.type for frame in robot.model.frames if frame.name == robot.tool]  # a joint may have the link's name
+    frame = robot.model.getFrameId(robot.tool, pin.FrameType.BODY if pin.FrameType.BODY in links else links[0])
     jacobian = pin.computeFrameJacobian(robot.model, data, q, frame, pin.LOCAL_WORLD_ALIGNED)
     return data.oMf[frame].copy(), jacobian * SCALE[:, None]
 
@@ -494,6 +495,27 @@ def test_the_exported_project_builds_by_cmake(tmp_path):
     mp.Servo(mp.load_robot("ur5"), dt=DT, compiled=False).export_c(tmp_path / "servo")
     for command in (["cmake", "-S", "servo", "-B", "build"], ["cmake", "--build", "build"], ["build/example"]):
         subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "start"),
+    [
+        ("ur5", [0.0730953, 2.6326706, -2.2683485, 2.8262597, -1.1640137, -0.4740868]),
+        ("ur5", [2.873, -1.841, -2.916, -3.004, 2.475, 1.6]),
+    ],
+)
+@pytest.mark.parametrize("sign", [1, -1])
+def test_it_does_not_dither_between_a_pole_and_a_fold(servos, name, start, sign):
+    """Commanded along what is lost, at singular postures of a small curvature."""
+    servo = servos(name)
+    _, jacobian = kinematics(servo.robot, np.array(start))
+    lost = sign * np.linalg.svd(jacobian)[0][:, -1]
+    _, rates = drive(servo, start, 0.1 * lost / SCALE, 1.0)
+    changes = np.diff(rates, axis=0) / DT
+    loud = np.where(np.abs(changes) > 0.02 * servo.robot.limits.acceleration, np.sign(changes), 0.0)
+    for joint in loud.T:
+        signs = joint[joint != 0]
+        assert np.count_nonzero(np.diff(signs)) <= 6
 
 
 @pytest.mark.slow

@@ -376,6 +376,22 @@ def test_the_tool_keeps_its_speed(planar):
     assert speed.max() > 0.4
 
 
+@pytest.mark.parametrize("name", ["z1", "so100", "b1_z1"])
+def test_a_tool_whose_name_a_joint_has_too_keeps_its_speed(name):
+    robot = mp.load_robot(name)
+    assert sum(frame.name == robot.tool for frame in robot.model.frames) > 1
+    inside = (robot.limits.lower + robot.limits.upper) / 2
+    path = mp.JointPath.line(inside, inside + 0.1 * (robot.limits.upper - inside))
+    trajectory = mp.retime(path, robot, segments=[mp.Segment(begin=0.0, end=1.0, tool_speed=0.02)])
+    t = np.linspace(0, trajectory.duration, 400)
+    data, link = robot.model.createData(), robot.model.getFrameId(robot.tool, pin.FrameType.BODY)
+    places = []
+    for q in trajectory(t):
+        pin.framesForwardKinematics(robot.model, data, q)
+        places.append(data.oMf[link].translation.copy())
+    assert 0.019 < np.linalg.norm(np.diff(places, axis=0), axis=1).max() / (t[1] - t[0]) <= 0.02 * (1 + 1e-4)
+
+
 def test_wrong_speeds_and_segments(panda, planar):
     path = mp.JointPath.line(panda.neutral, panda.neutral + 0.1)
     for options, match in (

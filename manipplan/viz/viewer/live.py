@@ -2,6 +2,7 @@
 
 import threading
 import time
+from abc import ABC, abstractmethod
 from collections import deque
 from typing import Any
 
@@ -60,12 +61,7 @@ def follow_target(
         MissingExtraError: viser is not installed.
         InvalidInputError: an argument is not usable, or the port is in use.
     """
-    require_extra()
-    instance("robot", robot, Robot)
-    flag("open_browser", open_browser)
-    scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
-    avoidance = Avoidance(scene=scene) if scene.obstacles else None
+    q, scene, avoidance = read_live(robot, start, scene, open_browser=open_browser)
     controller = Controller(robot, formulation or LogDrive(), dt=dt, task=task, avoidance=avoidance)
     viewer = LiveViewer(controller, q, scene, port=port, host=host)
     if open_browser:
@@ -73,7 +69,19 @@ def follow_target(
     return viewer
 
 
-class LiveArm(Page):
+def read_live(
+    robot: Robot, start: ArrayLike | str | None, scene: Scene | None, *, open_browser: bool
+) -> tuple[Array, Scene, Avoidance | None]:
+    """The start (n,), the scene and the avoidance for the arguments of a live page; raises as `follow_target` does."""
+    require_extra()
+    instance("robot", robot, Robot)
+    flag("open_browser", open_browser)
+    scene = instance("scene", scene if scene is not None else Scene(), Scene)
+    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
+    return q, scene, Avoidance(scene=scene) if scene.obstacles else None
+
+
+class LiveArm(Page, ABC):
     """A page on which an arm moves: what `_step` returns is its velocity for the next time step.
 
     Attributes:
@@ -115,9 +123,9 @@ class LiveArm(Page):
         with self._lock:
             self._q, self._qd = self._first.copy(), np.zeros(self.arm.n)
 
+    @abstractmethod
     def _step(self) -> Array:
         """Velocities (n,) for the next time step; the lock is held."""
-        raise NotImplementedError
 
     def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
         """Names and values in the panel at q (n,) with the measure m."""

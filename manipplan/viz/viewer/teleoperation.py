@@ -6,14 +6,12 @@ from typing import Any
 import numpy as np
 
 from manipplan.collision.scene import Scene
-from manipplan.goals.read import read_configuration
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, array_of_shape, flag, instance, one_of
+from manipplan.support.checks import Array, ArrayLike, array_of_shape, one_of
 from manipplan.symbolic.task import Task
-from manipplan.tracking.avoidance import Avoidance
 from manipplan.tracking.servo import Servo, ServoGauge, ServoLimit, Singularity
-from manipplan.viz.viewer.live import LiveArm
-from manipplan.viz.viewer.server import HOST, PORT, require_extra
+from manipplan.viz.viewer.live import LiveArm, read_live
+from manipplan.viz.viewer.server import HOST, PORT
 
 #: Keys, what they do, and the direction: index of the twist and sign. viser itself moves the camera by W, A, S, D, Q, E.
 KEYS = (
@@ -69,12 +67,7 @@ def teleoperate(
         MissingExtraError: viser is not installed.
         InvalidInputError: an argument is not usable, or the port is in use.
     """
-    require_extra()
-    instance("robot", robot, Robot)
-    flag("open_browser", open_browser)
-    scene = instance("scene", scene if scene is not None else Scene(), Scene)
-    q = robot.configuration("start", robot.neutral if start is None else read_configuration("start", start, robot))
-    avoidance = Avoidance(scene=scene) if scene.obstacles else None
+    q, scene, avoidance = read_live(robot, start, scene, open_browser=open_browser)
     servo = Servo(robot, dt=dt, task=task, side=side, avoidance=avoidance)
     viewer = ServoViewer(servo, q, scene, port=port, host=host)
     if open_browser:
