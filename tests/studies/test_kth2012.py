@@ -74,7 +74,9 @@ def test_paths_among_posts_are_measured_anew(case):
     m = np.sqrt(np.linalg.det(jacobian @ jacobian.swapaxes(1, 2)))
     g = (np.linalg.norm(np.diff(q, axis=0), axis=1) / ((m[1:] + m[:-1]) / 2) ** config.TABLE_POWER).sum()
     assert g == pytest.approx(found.g, rel=1e-6)
-    [wanted] = [value for text, value, _ in claims.expected(quick=False) if f"{example.name} among {len(posts)} of" in text]
+    [wanted] = [
+        v for text, v, _ in claims.expected(quick=False) if text == f"{example.name} among {len(posts)} of the posts: g"
+    ]
     assert g == pytest.approx(wanted, rel=1e-4)
 
 

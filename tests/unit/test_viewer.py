@@ -161,21 +161,30 @@ def click_in_chart(page, share, chosen):
             page.wait_for_timeout(100)
 
 
-def drag(page, begin, end, done):
-    """Drag an arrow in the picture from one place to another one [px], until `done()`.
+def drag(page, places, done):
+    """Drag an arrow in the picture until `done()`; `places()`: where it is now and where it shall be [px].
 
-    Without a graphics card it may take seconds until the arrow notices the pointer.
+    Without a graphics card it may take seconds until the arrow notices the pointer, and it may follow a part of the way only.
     """
-    for patience in (500, 2000, 8000):
+    end = time.monotonic() + 180.0
+    patience = 500
+    while not done():
+        assert time.monotonic() < end, "nothing was dragged"
+        begin, there = places()
+        page.bring_to_front()
+        page.mouse.move(begin[0] - 3.0, begin[1])
         page.mouse.move(*begin)
         page.wait_for_timeout(patience)
         page.mouse.down()
-        page.mouse.move(*end, steps=6)
+        page.wait_for_timeout(patience)
+        page.mouse.move(*there, steps=6)
         page.wait_for_timeout(patience)
         page.mouse.up()
-        if done():
-            return
-    wait_until(done)
+        for _ in range(10):
+            if done():
+                break
+            page.wait_for_timeout(patience // 5)
+        patience = min(2 * patience, 8000)
 
 
 def no_serious_fault(page):
@@ -404,9 +413,12 @@ def test_it_plans_again_among_moved_obstacles(plan, open_page):
         np.testing.assert_allclose(again.arrows.position, [0.0, -2.0, 0.0])
         page.evaluate("document.querySelectorAll('.mantine-Notification-closeButton').forEach(each => each.click())")
         [client] = live.server.get_clients().values()
-        size, at = again.arrows.scale, np.array(again.arrows.position)
-        begin, end = (project(client.camera, page, at + [0.0, 0.6 * size + way, 0.0]) for way in (0.0, 0.4))
-        drag(page, begin, end, lambda: again.scene.obstacles[0].position[1] > -1.7)
+
+        def places():
+            at, size = np.array(again.arrows.position), again.arrows.scale
+            return [project(client.camera, page, [0.0, y, 0.0]) for y in (at[1] + 0.6 * size, -1.6 + 0.6 * size)]
+
+        drag(page, places, lambda: again.scene.obstacles[0].position[1] > -1.7)
         moved_to = again.scene.obstacles[0].position
         np.testing.assert_allclose(moved_to[[0, 2]], 0.0, atol=1e-6)
         camera = np.array(client.camera.position)
@@ -581,9 +593,12 @@ def test_a_dragged_target_is_followed(open_page):
         drawn(page, differs_from=before)
         page.locator(".mantine-Notification-closeButton").click()  # it tells that there is no graphics card
         [client] = live.server.get_clients().values()
-        x, y = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale, 0.0, 0.0])
-        there = project(client.camera, page, live.target[:3, 3] + [0.6 * live.handle.scale - 0.5, 0.0, 0.0])
-        drag(page, (x, y), there, lambda: live.target[0, 3] < goal[0, 3] - 0.3)
+
+        def places():
+            at, size = live.target[:3, 3], live.handle.scale
+            return [project(client.camera, page, [x + 0.6 * size, *at[1:]]) for x in (at[0], goal[0, 3] - 0.5)]
+
+        drag(page, places, lambda: live.target[0, 3] < goal[0, 3] - 0.3)
         np.testing.assert_allclose(live.target[1:3, 3], goal[1:3, 3], atol=1e-6)
         wait_until(lambda: np.linalg.norm(live.pose[:3, 3] - live.target[:3, 3]) < 2e-3)
         assert (np.abs(live._qd) <= robot.limits.velocity + 1e-9).all()
