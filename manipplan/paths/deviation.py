@@ -342,20 +342,31 @@ def _within(
 
     Returns them and the pieces (k,).
     """
-    from scipy.spatial.transform import Rotation
+    piece, row = pieces.ravel(), np.tile(np.arange(len(poses)), len(pieces))
+    start, along, offset, turn = _on_pieces(poses[row], line[piece], line[piece + 1], free)
+    half = np.linalg.norm([along, turn], axis=2).T / 2
 
-    best, least = np.full((len(poses), 2), np.inf), np.full(len(poses), np.inf)
-    own = pieces[0].copy()
-    for k in pieces if len(poses) else ():
-        start, along, offset, turn = _on_pieces(poses, line[k], line[k + 1], free)
-        for share in np.linspace(0.0, 1.0, SHARES):
-            rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
-            angles = _angles(poses[:, :3, :3], rotations, free)
-            found = np.column_stack([np.linalg.norm(offset - share * along, axis=1), angles])
-            excess = (found / allowed).max(axis=1)
-            better = excess < least
-            best[better], least[better], own[better] = found[better], excess[better], k[better]
-    return best, own
+    def excess(pairs: NDArray[np.intp], share: float) -> tuple[Array, Array]:
+        angles = _angles(poses[row[pairs], :3, :3], start[pairs] @ rotations_of(share * turn[pairs]), free)
+        found = np.column_stack([np.linalg.norm(offset[pairs] - share * along[pairs], axis=1), angles])
+        return found, factor(found)
+
+    def factor(found: Array) -> Array:
+        shares = found / allowed
+        return np.asarray(shares.max(axis=1) + 1e-6 * shares.sum(axis=1))  # of equal ones the nearest
+
+    # only pieces that may be better than the best middle of one
+    best, least = excess(np.arange(len(row)), 0.5)
+    attained = np.full(len(poses), np.inf)
+    np.minimum.at(attained, row, least)
+    pairs = np.flatnonzero(factor(np.maximum(best - half, 0.0)) <= attained[row])
+    for share in np.linspace(0.0, 1.0, SHARES):
+        found, worst = excess(pairs, share)
+        better = worst < least[pairs]
+        best[pairs[better]], least[pairs[better]] = found[better], worst[better]
+    order = np.lexsort((least, row))
+    own = order[np.searchsorted(row[order], np.arange(len(poses)))]
+    return best[own], piece[own]
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

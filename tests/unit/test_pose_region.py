@@ -144,7 +144,11 @@ def judged(robot, plan, region, path):
         pin.framesForwardKinematics(model, data, plan.trajectory(time))
         reached = data.oMf[frame].homogeneous
         # the first pose, from the one before on, about which the region holds the tool
-        ahead = (j for j in range(k, len(poses)) if max(np.divide(excess(region, poses[j], reached), (1.3e-4, 1.2e-3))) <= 1)
+        moved = reached[:3, 3] - poses[k:, :3, 3]
+        if region.frame == "tool":
+            moved = np.einsum("kji,kj->ki", poses[k:, :3, :3], moved)
+        near = k + np.flatnonzero(np.linalg.norm(np.maximum(np.abs(moved) - region.position, 0.0), axis=1) <= 1.3e-4)
+        ahead = (j for j in near if max(np.divide(excess(region, poses[j], reached), (1.3e-4, 1.2e-3))) <= 1)
         k = next(ahead, -1)
         if k < 0:
             return [time]
