@@ -57,7 +57,7 @@ types: $(READY)
 # Builds the site with its gallery, checks every link and picture, and opens its pages in a browser.
 docs: $(READY) browser
 	rm -rf docs/reference/api
-	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	$(BIN)/python -m sphinx -W --keep-going -q -j auto -b html docs docs/_build/html
 	$(BIN)/python docs/check_site.py docs/_build/html
 	$(BIN)/python -m pytest -m site tests/docs/test_site.py
 	@echo "open docs/_build/html/index.html"

@@ -77,6 +77,7 @@ sphinx_gallery_conf = {
     "within_subsection_order": "gallery_order.TaughtOrder",
     "filename_pattern": "plot_",
     "abort_on_example_error": True,
+    "parallel": True,
     "show_memory": False,
     "download_all_examples": False,
     "show_signature": False,

@@ -168,17 +168,23 @@ REGIONS = {
 }
 
 
-@pytest.mark.parametrize("name", REGIONS)
-@pytest.mark.parametrize("arm", ["panda", "ur5"])
-def test_follow_uses_the_region_and_stays_inside(arm, name, request):
+@pytest.fixture(scope="module", params=["panda", "ur5"])
+def followed(request):
+    """A robot, a path, and the motion that follows it exactly."""
+    arm = request.param
     robot = request.getfixturevalue(arm)
     robot = robot.with_limits(lower=-np.pi, upper=np.pi) if arm == "ur5" else robot
     q = np.array([0, -0.5, 0, -2.2, 0, 1.8, 0.7] if arm == "panda" else [0.2, -1.4, 1.9, -2.0, -1.5, 0.3])
     poses = np.repeat(robot.kinematics().pose(q)[None], 3, axis=0)
     poses[:, :3, 3] += [[0, 0, 0], [0.1, 0.05, 0.0], [0.15, -0.05, 0.04]]
     path = mp.CartesianPath.through(poses)
+    return robot, path, mp.follow(robot, path)
+
+
+@pytest.mark.parametrize("name", REGIONS)
+def test_follow_uses_the_region_and_stays_inside(followed, name):
+    robot, path, exact = followed
     task = mp.Task.pose().within(**REGIONS[name])
-    exact = mp.follow(robot, path)
     plan = mp.follow(robot, path, objective=mp.PathObjective(task=task))
     assert plan.status is mp.Status.FOLLOWED
     assert plan.report.min_manipulability > 1.002 * exact.report.min_manipulability
