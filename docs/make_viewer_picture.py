@@ -73,7 +73,7 @@ PICTURES = {
     "viewer_checked": (
         beside_a_block,
         ("what is checked",),
-        ("seed", "path, seed", "ellipsoid, tool", "ellipsoids, path"),
+        ("side by side", "seed", "path, seed", "ellipsoid, tool", "ellipsoids, path"),
         (1200, 830),
     ),
     "viewer_program": (carrying, (), (), (1200, 760)),
@@ -96,8 +96,9 @@ def main(names) -> None:
             if not live:
                 shown.time = PLACE * made.trajectory.duration
             labels = [] if live else list(shown.stage.layers)
-            for switch in (*on, *off):
-                page.get_by_role("checkbox").nth(labels.index(switch)).click(force=True)
+            boxes = page.get_by_role("checkbox")
+            for switch in (*on, *off):  # the switches are the panel's last boxes
+                boxes.nth(boxes.count() - len(labels) + labels.index(switch)).click(force=True)
             before, after, count = b"", page.screenshot(), 0
             while after != before and not (live and count > 4):  # without a graphics card the scene appears slowly
                 page.wait_for_timeout(4000)
