@@ -218,9 +218,12 @@ def timed(path: mp.CartesianPath, duration: float) -> tuple[Array, Array]:
     return path(s), s
 
 
-def cases(name: str, count: int) -> Iterator[Case]:
-    """Paths that the arm follows from a random posture without a drive, so motions exist, in equal parts of each shape."""
-    arm, number, seed = Arm.of(name), 0, -1
+def cases(name: str, count: int, *, number: int = 0, seed: int = -1) -> Iterator[Case]:
+    """Paths that the arm follows from a random posture without a drive, so motions exist, in equal parts of each shape.
+
+    Those after a `seed` begin with the shape of this `number`.
+    """
+    arm = Arm.of(name)
     kinematics = arm.robot.kinematics(mp.Task.pose())
     while number < count:
         seed += 1
@@ -284,18 +287,19 @@ def judge(arm: Arm, q: Array, targets: Array, s: Array, allowed: str, *, limits:
     """A motion (N, n) beside the targets (N, 4, 4), at s (N,), by Pinocchio on the original description."""
     far = KEPT if allowed == "path" else ((1 + OVER) * TUBE.position, (1 + OVER) * TUBE.rotation)
     touches = bool(mp.Scene([]).collision_model(arm.robot).in_collision_rows(q[::BESIDE]).any())
-    least = np.inf
-    for each, target, at in zip(q, targets, s, strict=True):
-        pose, jacobian = arm.judge.pose_and_jacobian(each, arm.robot.tool)
-        turn = target[:3, :3].T @ pose[:3, :3]
-        if arm.task.free_axis is None:
-            angle = Rotation.from_matrix(turn).magnitude()
-        else:
-            angle = np.arccos(np.clip(turn[2, 2], -1, 1))
-            jacobian = np.vstack([jacobian[:3], (pose[:3, :3].T @ jacobian[3:])[:2]])
-        if np.linalg.norm(pose[:3, 3] - target[:3, 3]) > far[0] or angle > far[1]:
-            return Judged(least=np.nan, share=float(at), limits=limits, touches=touches)
-        least = min(least, float(np.prod(np.linalg.svd(jacobian, compute_uv=False))))
+    found = [arm.judge.pose_and_jacobian(each, arm.robot.tool) for each in q]
+    poses, jacobians = np.array([pose for pose, _ in found]), np.array([jacobian for _, jacobian in found])
+    moved = np.linalg.norm(poses[:, :3, 3] - targets[:, :3, 3], axis=1)
+    if arm.task.free_axis is None:
+        turned = 2 * np.arcsin(np.minimum(np.linalg.norm(poses[:, :3, :3] - targets[:, :3, :3], axis=(1, 2)) / np.sqrt(8), 1))
+    else:  # of the tool's z-axis, about which the tool may turn
+        turned = 2 * np.arcsin(np.minimum(np.linalg.norm(poses[:, :3, 2] - targets[:, :3, 2], axis=1) / 2, 1))
+        turns = np.swapaxes(poses[:, :3, :3], 1, 2) @ jacobians[:, 3:]
+        jacobians = np.concatenate([jacobians[:, :3], turns[:, :2]], axis=1)
+    left = (moved > far[0]) | (turned > far[1])
+    if left.any():
+        return Judged(least=np.nan, share=float(s[left.argmax()]), limits=limits, touches=touches)
+    least = float(np.linalg.svd(jacobians, compute_uv=False).prod(axis=1).min())
     return Judged(least=least, share=1.0, limits=limits, touches=touches)
 
 
@@ -333,13 +337,19 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--paths", type=int, default=50, help="number of paths of each arm; 0: only table and picture again")
     parser.add_argument("--arms", nargs="+", choices=ARMS, default=ARMS, help="arms that are measured again")
+    parser.add_argument("--further", action="store_true", help="continue an interrupted run")
     parser.add_argument("--csv", type=Path, default=CSV, help="file of all motions; its table is next to it")
     parser.add_argument("--picture", type=Path, default=PICTURE, help="file of the picture")
     options = parser.parse_args(arguments)
     with Progress() as progress:
         for name in options.arms if options.paths else ():
-            bar, found = progress.add_task(name, total=options.paths), []
-            for case in cases(name, options.paths):
+            found: list[Mapping[str, object]] = []
+            if options.further:
+                found += [row for row in read(options.csv) if row["arm"] == name]
+            number = len({row["seed"] for row in found if row.get("start")})
+            last = max((int(str(row["seed"])) for row in found), default=-1)
+            bar = progress.add_task(name, total=options.paths, completed=number)
+            for case in cases(name, options.paths, number=number, seed=last):
                 found += rows_of(case)
                 progress.advance(bar, int(case.is_followed))
                 others = [row for row in read(options.csv) if row["arm"] != name]
