@@ -1,7 +1,7 @@
 """The search of guilamo2006 and ours, as the grid is refined towards the optimum of the continuum.
 
 Run with `make benchmark`. Writes docs/benchmarks/grid_steps.md and docs/pictures/grid_steps.png. A circle of 20 cm with 50
-positions in front of TALOS, as in the study, of a Panda and of a UR5 on a rail of 1 m. Both searches get the same candidates.
+positions in front of TALOS, as in the study, of a Panda and of a UR5 on a rail of 2 m. Both searches get the same candidates.
 The optimum of the continuum is that of `mp.refine` from the finest grid, whose upper bound stands beside it.
 """
 
@@ -40,7 +40,7 @@ SAMPLES = tuple((12 * 2**k,) for k in range(9))
 #: Number of branches after which the paper's search is stopped.
 MOST_BRANCHES = 300_000
 #: Length of the rail [m], and centre of the circle of the other arms [m].
-RAIL, CENTRE = 1.0, (0.5, 0.0, 0.4)
+RAIL, CENTRE = 2.0, (0.5, 0.0, 0.4)
 COLOUR, OTHER = "#0072B2", "#D55E00"
 
 
