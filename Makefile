@@ -129,6 +129,8 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/pose_regions.py
 	$(BIN)/python benchmarks/follow_starts.py
 	$(BIN)/python benchmarks/lead_ins.py
+	$(BIN)/python benchmarks/online_global.py
+	$(BIN)/python benchmarks/grid_steps.py
 	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/programs.py
 	$(BIN)/python benchmarks/blends.py

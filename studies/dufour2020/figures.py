@@ -16,7 +16,7 @@ from manipplan.viz.style import JOINTS, STRAIGHT, STYLE, label_powers
 from studies.dufour2020 import config
 from studies.dufour2020.courses import Array
 from studies.dufour2020.follow import Arm, Run
-from studies.dufour2020.pareto import SPACES, SWEEPS, Fronts
+from studies.dufour2020.pareto import SPACES, SWEEPS, Fronts, Priced, front, own_best
 from studies.dufour2020.scenarios import Comparison, Obstacle, Scenario
 from studies.tables import Table
 
@@ -276,6 +276,38 @@ def pareto(found: Fronts, name: str, file: Path) -> None:
         handles, labels = axes[0][0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside upper right", ncols=len(labels), fontsize=8)
         figure.suptitle(f"{name}; hollow: chatter, or (7) off its path", x=0.01, ha="left", fontsize=10)
+        save(figure, file)
+
+
+def price(found: dict[tuple[str, str], list[Priced]], file: Path) -> None:
+    """Mean manipulability against deviation and against torque: Pareto fronts of the sound runs without a tube."""
+    with rc_context(STYLE):
+        figure = blank(11.5, 5.4)
+        axes = figure.subplots(2, len(config.TABLE_1), sharey="col")
+        for column, name in enumerate(config.TABLE_1):
+            for formula in SWEEPS:
+                runs, colour = found[name, formula], COLOURS[formula]
+                for ax, price_of in zip(
+                    axes[:, column], (lambda each: 1e3 * each.run.worst, lambda each: each.torque), strict=True
+                ):
+                    chosen = front(runs, price_of)
+                    x, y = [price_of(each) for each in chosen], [each.run.mean for each in chosen]
+                    ax.plot(x, y, color=colour, marker=MARKS[formula], markersize=3, linewidth=1.2, label=formula)
+                    own = own_best(runs)
+                    if own is not None:
+                        at = (price_of(own), own.run.mean)
+                        ax.scatter(*at, facecolors="none", edgecolors=colour, marker=MARKS[formula], s=90, linewidths=1.4)
+            axes[0][column].set(title=name, xscale="log", xlim=(3e-3, 2e3), xlabel="largest deviation [mm]")
+            axes[0][column].xaxis.set_major_locator(LogLocator(numticks=4))
+            axes[0][column].xaxis.set_minor_formatter(NullFormatter())
+            axes[1][column].set_xlabel("rms torque [N m]")
+        for ax in axes[:, 0]:
+            ax.set_ylabel("mean m / m_max")
+        handles, labels = axes[0][0].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside upper right", ncols=len(labels), fontsize=8)
+        figure.suptitle(
+            "Pareto fronts without a tube; large marks: best parameter of each path", x=0.01, ha="left", fontsize=10
+        )
         save(figure, file)
 
 

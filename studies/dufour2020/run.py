@@ -78,6 +78,10 @@ def study(out: Path, quick: bool, notify: command.Progress) -> list[claims.Claim
     fronts = pareto.fronts(arm, names, advance)
     pareto.front_table(fronts).write_csv(out)
     pareto.tube_table(fronts).write(out)
+    if not quick:
+        priced = pareto.prices(arm, fronts)
+        pareto.own_table(arm, priced, config.TABLE_1).write(out)
+        figures.price(priced, out / "pareto.png")
     for name in names:
         figures.pareto(fronts, name, out / f"pareto_{name}.png")
     if not quick:

@@ -24,11 +24,13 @@ import files_to_read
 import first_models
 import first_paths
 import first_plans
+import grid_steps
 import killed_saves
 import lead_ins
 import mesh_pairs
 import motionbenchmaker
 import motions
+import online_global
 import plan_many
 import recorded_motions
 import six_joint_arms
@@ -432,3 +434,68 @@ def test_plans_in_threads_are_those_one_by_one():
 def test_files_that_run_in_a_job(tmp_path):
     found = files_to_read.main(["--out", str(tmp_path / "table.md")])
     assert all(0 < found[name] <= wanted for name, (_, wanted) in files_to_read.WANTED.items()), found
+
+
+def test_the_first_path_beside_the_best_motion_has_the_figures_of_the_table():
+    [case] = online_global.cases("panda", 1)
+    rows = [row for row in online_global.read(online_global.CSV) if row["arm"] == "panda"][:4]
+    for row in rows:
+        assert (row["shape"], int(row["seed"])) == (case.shape, case.seed)
+        best = online_global.judge_best(case, row["allowed"])
+        assert best.whole
+        assert best.least == pytest.approx(float(row["best m"]), rel=2e-3)
+        q = online_global.start_of(case, row["start"], row["allowed"])
+        for name in ("(3)", "(10)"):
+            controller = case.arm.controller(name, row["allowed"])
+            found = online_global.judge_steps(case.arm, case.path, controller, q, case.duration, row["allowed"])
+            assert found.whole == bool(row[name])
+            if found.whole:
+                assert found.least / best.least == pytest.approx(float(row[name]), rel=5e-3)
+            assert found.share == pytest.approx(float(row[f"{name} path"]), abs=0.02)
+
+
+def test_controllers_beside_the_best_motion_move_as_track_does(panda):
+    arm = online_global.Arm.of("panda")
+    start = panda.neutral
+    begin = arm.robot.kinematics(mp.Task.pose()).pose(start)
+    path = online_global.shape_of("line", begin, np.random.default_rng(0))
+    targets, _ = online_global.timed(path, 2.0)
+    motion = arm.controller("(3)", "path").rollout(start, targets)
+    tracked = mp.track(
+        arm.robot,
+        path,
+        start,
+        arm.formulation("(3)"),
+        dt=online_global.DT,
+        duration=2.0,
+        task=arm.task,
+        stiffness=online_global.STIFFNESS["path"],
+        tolerance=online_global.PATH,
+    )
+    np.testing.assert_allclose(motion.q, tracked.q[: len(motion.q)], atol=1e-9)
+
+
+def test_a_controller_that_leaves_its_path_or_limits_is_not_counted():
+    arm = online_global.Arm.of("panda")
+    q = np.tile(arm.robot.neutral, (3, 1))
+    poses = arm.robot.kinematics(mp.Task.pose()).pose(q)
+    s = np.array([0.0, 0.5, 1.0])
+    kept = online_global.judge(arm, q, poses, s, "path", limits=True)
+    assert kept.whole
+    assert kept.least == pytest.approx(arm.robot.kinematics(arm.task).manipulability(q[0]))
+    assert not online_global.judge(arm, q, poses, s, "path", limits=False).whole
+    poses[1, 0, 3] += 2 * online_global.KEPT[0]
+    left = online_global.judge(arm, q, poses, s, "path", limits=True)
+    assert (left.share, left.whole) == (0.5, False)
+
+
+def test_both_searches_come_nearer_to_the_continuum_on_finer_grids(panda):
+    top = np.diag([1.0, -1.0, -1.0, 1.0])
+    top[:3, 3] = (0.5, 0.0, 0.5)
+    case = grid_steps.one_joint("Panda", panda, mp.CartesianPath.circle(top, (0.5, 0.0, 0.4), (1.0, 0.0, 0.0)))
+    found = grid_steps.curve(replace(case, grids=((24,), (384,))), most=3000)
+    coarse, fine = found.rows
+    assert coarse.paper.minimum == pytest.approx(coarse.exact)
+    assert fine.paper.end == "gave up"
+    assert coarse.exact < fine.exact <= found.refined <= found.bound * (1 + 1e-6)
+    assert coarse.step > fine.step
