@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+import casadi as ca
 import numpy as np
 
 from manipplan.paths.trajectory import Trajectory
@@ -12,12 +13,19 @@ from manipplan.support.checks import Array, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.tolerances import COINCIDENT
+from manipplan.symbolic.chain import Placement
+from manipplan.symbolic.derivatives import Factor
 from manipplan.symbolic.task import Task
 
-#: Number of knots of a reference, and samples of the motion from which they are chosen.
-KNOTS, SAMPLES = 201, 2001
+#: Number of knots of a reference, samples of the motion from which they are chosen, and which of them enter expressions: each 4th.
+KNOTS, SAMPLES, THINNED = 201, 2001, 4
 #: Metres per radian of joints in the distance between knots.
 SPACING = 0.1
+#: Of the return to a reference through the null space, as in servo.c: rate [1/s], distance from which on the arm is taken to be in
+#: another branch [rad], and metres per radian of joints where the nearest knot is sought.
+RETURN, BRANCH, BESIDE = 20.0, 0.5, 0.02
+#: Damping of the null space's projector [m].
+DAMPING = 1e-3
 #: Tolerance within which two arms have the same kinematics [m, rad].
 SAME_ARM = 1e-6
 
@@ -41,6 +49,37 @@ class Reference:
     def start(self) -> Array:
         """Configuration (n,) in which the reference begins; move the arm there before it follows the tool path."""
         return self.q[0]
+
+    def beside(self, q: ca.SX, tool: Placement, task: Task) -> ca.SX:
+        """The planned configuration (n, 1) where the tool is: at the least of a parabola through the distances of three knots."""
+        planned, poses = self.q[::THINNED], self.poses[::THINNED]
+        count = len(planned)
+        across = [np.zeros((3 * count, 3)) for _ in range(3)]  # half the sum of the cross products of the axes, in the tool's
+        for k, pose in enumerate(poses):
+            for axis in range(3):
+                across[axis][3 * k : 3 * k + 3] = -_skew(pose[:3, axis]) / 2
+        turns = ca.reshape(sum(ca.DM(across[axis]) @ tool.rotation[:, axis] for axis in range(3)), 3, count)
+        shifts = ca.DM(poses[:, :3, 3].T) - ca.repmat(tool.origin, 1, count)
+        world, own = (ca.sparsify(ca.DM(rows)) for rows in task.matrices)
+        turned = ca.vertcat(tool.rotation.T @ shifts, tool.rotation.T @ turns)
+        rows = ca.vertcat(world @ ca.vertcat(shifts, turns), own @ turned, BESIDE * (ca.DM(planned.T) - ca.repmat(q, 1, count)))
+        far = ca.sum1(rows * rows)
+        least, place = far[1], ca.SX(0)
+        for k in range(1, count - 1):
+            change = (far[k - 1] - far[k + 1]) / (2 * ca.fmax(far[k - 1] - 2 * far[k] + far[k + 1], 1e-18))
+            nearer = far[k] < least if k > 1 else True
+            place = ca.if_else(nearer, k + ca.fmax(-1, ca.fmin(1, change)), place)
+            least = ca.if_else(nearer, far[k], least)
+        hats = ca.fmax(0, 1 - ca.fabs(place - ca.DM(np.arange(count))))
+        return ca.DM(planned.T) @ hats
+
+    def return_rate(self, q: ca.SX, tool: Placement, task: Task, jacobian: ca.SX, dt: float) -> tuple[ca.SX, ca.SX]:
+        """The joint velocity (n, 1) that returns to the reference through the null space, and the projector (n, n) on that."""
+        factor = Factor.of(jacobian, DAMPING)
+        null = ca.SX.eye(q.shape[0]) - factor.Q @ ca.solve(factor.L, jacobian)
+        back = null @ (self.beside(q, tool, task) - q)
+        share = ca.fmax(0, ca.fmin(1, 2 - ca.sqrt(ca.sumsqr(back) + 1e-300) / BRANCH))
+        return min(RETURN, 0.5 / dt) * share * back, null
 
     @classmethod
     def of(cls, plan: Plan, robot: Robot, task: Task) -> "Reference":
@@ -80,6 +119,11 @@ def _same_rows(first: Task, second: Task) -> bool:
         return [np.linalg.pinv(rows) @ rows if len(rows) else np.zeros((6, 6)) for rows in task.matrices]
 
     return all(np.allclose(a, b, atol=1e-9) for a, b in zip(spaces(first), spaces(second), strict=True))
+
+
+def _skew(v: Array) -> Array:
+    """The matrix of the cross product with v (3,)."""
+    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
 def _until(motion: Trajectory, end: float) -> Trajectory | None:
