@@ -19,8 +19,10 @@ os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before Nu
 
 import argparse
 from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pinocchio as pin
@@ -213,7 +215,8 @@ def laws(judge: Judge, case: Case) -> dict[str, Callable[[], tuple[Array, Array,
 
     def by_track(start: Array, reference: mp.Plan | None) -> tuple[Array, Array, Array]:
         formulation = mp.formulations.LogDrive()
-        made = mp.track(robot, path, start, formulation, dt=DT, duration=case.seconds, task=task, reference=reference)
+        options = {"dt": DT, "duration": case.seconds, "task": task, "compiled": reference is None}
+        made = mp.track(robot, path, start, formulation, reference=reference, **options)  # type: ignore[arg-type]
         return made.targets, made.q, made.qd
 
     ways = {
@@ -243,19 +246,32 @@ def summary(name: str, figures: Array) -> str:
     )
 
 
+def measure(name: str, arm: Arm, count: int, folder: Path) -> dict[str, list[tuple[float, float, float]]]:
+    """The figures of each law in all tasks of an arm."""
+    judge, found = Judge(arm), dict[str, list[tuple[float, float, float]]]()
+    for k, case in enumerate(cases(name, count, folder)):
+        for law, move in laws(judge, case).items():
+            found.setdefault(law, []).append(judge.figures(case, *move()))
+        print(name, k, {law: [round(x, 4) for x in each[-1]] for law, each in found.items()}, flush=True)
+    return found
+
+
+def measure_of(name: str, description: dict[str, object], *given: Any) -> dict[str, list[tuple[float, float, float]]]:
+    """The same from the arm's description, as models of Pinocchio stay in their process."""
+    return measure(name, Arm(description), *given)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=25, help="number of tasks of each arm")
     parser.add_argument("--folder", type=Path, default=ROOT / ".servo_reference", help="folder that keeps the tasks")
+    parser.add_argument("--workers", type=int, default=2, help="number of arms at a time")
     given = parser.parse_args()
-    arms = described()
-    found: dict[str, dict[str, list[tuple[float, float, float]]]] = {}
-    for name in NAMES:
-        judge = Judge(arms[name])
-        for k, case in enumerate(cases(name, given.count, given.folder)):
-            for law, move in laws(judge, case).items():
-                found.setdefault(law, {}).setdefault(name, []).append(judge.figures(case, *move()))
-            print(name, k, {law: [round(x, 4) for x in each[name][-1]] for law, each in found.items()}, flush=True)
+    descriptions = {name: arm.description for name, arm in described().items()}
+    with ProcessPoolExecutor(given.workers) as pool:
+        futures = {name: pool.submit(measure_of, name, descriptions[name], given.count, given.folder) for name in NAMES}
+        by_name = {name: future.result() for name, future in futures.items()}
+    found = {law: {name: by_name[name][law] for name in NAMES} for law in by_name[NAMES[0]]}
     head = row(
         "law", "over the optimum: median, 10 %, worst", f"at least {WANTED:g}", "of these within 5 mm", "deviation", "over limits"
     )
