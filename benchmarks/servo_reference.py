@@ -1,16 +1,16 @@
 """A plan as the reference of `mp.Servo` and `mp.track`: how near a motion without foresight comes to the optimum.
 
-Run with `.venv/bin/python benchmarks/servo_reference.py`; it takes about an hour, most of it for the tasks, which --folder keeps.
-Writes docs/benchmarks/servo_reference.md.
+Run with `.venv/bin/python benchmarks/servo_reference.py`; it takes an hour or two, most of it for the tasks, which --folder
+keeps. Writes docs/benchmarks/servo_reference.md.
 
-A task is a line of the tool of 0.6 to 0.9 of the arm's reach, on which the tool turns by up to 0.8 rad about each axis. The plan is
-that of `mp.follow`, with its start free. The tool then moves on a disturbed path, which begins at the same pose: it is displaced by
-sines of 20 mm and 0.05 rad (standard deviation of the amplitudes) that swing 1.2 to 4.8 times along it. Arms of seven joints follow
-poses, those of six the position and the tool's axis. The timing is cubic, such that the optimum would need at most half of the joint
-speeds. The servo gets the velocity of the target and ten times the deviation as a twist.
+A task is a line of the tool of 0.6 to 0.9 of the arm's reach, on which the tool turns by up to 0.8 rad about each axis. The
+plan is that of `mp.follow`, with its start free. The tool then moves on a disturbed path, which begins at the same pose: it is
+displaced by sines of 20 mm and 0.05 rad (standard deviation of the amplitudes) that swing 1.2 to 4.8 times along it. Arms of
+seven joints follow poses, those of six the position and the tool's axis. The timing is cubic, such that the optimum would need
+at most half of the joint speeds. The servo gets the velocity of the target and ten times the deviation as a twist.
 
-The figure is the minimum manipulability of the motion over that of the optimum: `mp.follow` of the disturbed path itself, with its
-start free. The judge computes manipulability, deviation and limits by Pinocchio alone, from the arm's URDF file.
+The figure is the minimum manipulability of the motion over that of the optimum: `mp.follow` of the disturbed path itself, with
+its start free. The judge computes manipulability, deviation and limits by Pinocchio alone, from the arm's URDF file.
 """
 
 import os
@@ -18,6 +18,7 @@ import os
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
 
 import argparse
+import itertools
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -45,8 +46,8 @@ WANTED = 0.95
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """A task: `poses` (121, 4, 4) of the disturbed path, the plan without disturbance, samples (600, n) of the optimum's motion,
-    its duration [s], and the configuration (n,) at the first pose that is nearest to the neutral one."""
+    """A task: `poses` (121, 4, 4) of the disturbed path, the plan without disturbance, samples (600, n) of the optimum's
+    motion, its duration [s], and the configuration (n,) at the first pose that is nearest to the neutral one."""
 
     arm: str
     poses: Array
@@ -168,7 +169,7 @@ class Judge:
         return np.array(found)
 
     def error(self, target: Array, q: Array) -> Array:
-        """Displacement (6,) of the tool to a target in world axes [m, rad], without a turn about the tool's axis that is free."""
+        """Displacement (6,) of the tool to a target in world axes [m, rad], without a turn about a free axis."""
         pose = self.arm.pose(q)
         if self.points:
             turn = pin.log3(pin.Quaternion.FromTwoVectors(pose.rotation[:, 2], target[:3, 2]).matrix())
@@ -177,7 +178,7 @@ class Judge:
         return np.concatenate([target[:3, 3] - pose.translation, turn])
 
     def figures(self, case: Case, targets: Array, motion: Array, rates: Array) -> tuple[float, float, float]:
-        """Minimum manipulability over the optimum's, largest deviation, and the largest excess over a limit as a share of it."""
+        """Minimum manipulability over the optimum's, largest deviation, and the largest excess over a limit as a share."""
         arm = self.arm
         ratio = self.manipulability(motion).min() / self.manipulability(case.optimum).min()
         far = max(np.linalg.norm(SCALE * self.error(*each)) for each in zip(targets[::5], motion[::5], strict=False))
@@ -191,7 +192,7 @@ def serve(judge: Judge, targets: Array, servo: mp.Servo, start: Array) -> tuple[
     q, rate = np.array(start), np.zeros(servo.robot.n)
     servo.reset()
     motion, rates = [q], [rate]
-    for before, target in zip(targets, targets[1:], strict=False):
+    for before, target in itertools.pairwise(targets):
         turn = pin.log3(target[:3, :3] @ before[:3, :3].T)
         forward = np.concatenate([target[:3, 3] - before[:3, 3], turn]) / DT
         rate = servo.step(q, rate, forward + GAIN * judge.error(before, q), "world")
@@ -273,7 +274,12 @@ def main() -> None:
         by_name = {name: future.result() for name, future in futures.items()}
     found = {law: {name: by_name[name][law] for name in NAMES} for law in by_name[NAMES[0]]}
     head = row(
-        "law", "over the optimum: median, 10 %, worst", f"at least {WANTED:g}", "of these within 5 mm", "deviation", "over limits"
+        "law",
+        "over the optimum: median, 10 %, worst",
+        f"at least {WANTED:g}",
+        "of these within 5 mm",
+        "deviation",
+        "over limits",
     )
     lines = [head, "|" + "---|" * 6]
     lines += [summary(law, np.array([each for arm in by_arm.values() for each in arm])) for law, by_arm in found.items()]

@@ -11,8 +11,8 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
-from manipplan.robots.arms import one_tool
 from manipplan.plans.result import Plan
+from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import (
     Array,
@@ -131,9 +131,9 @@ class Controller:
                 which overshoots where accelerations are bounded.
             tolerance: default tube around the target; None: no tube.
             avoidance: collision avoidance; None: no avoidance.
-            reference: a plan along the tool path, such as that of `mp.follow`, for this arm and task. The null space returns to the
-                planned configurations, in the branch that the plan chose. Begin at `reference.start`: from another branch the arm
-                is not pulled. None: the formulation decides alone.
+            reference: a plan along the tool path, such as that of `mp.follow`, for this arm and task. The null space returns
+                to the planned configurations, in the branch that the plan chose. Begin at `reference.start`: from another
+                branch the arm is not pulled. None: the formulation decides alone.
             compiled: as in `Robot.kinematics`; "auto" does not compile a step with several hundred pairs of bodies, which
                 would take minutes: give `Avoidance` fewer links.
 

@@ -1,4 +1,4 @@
-"""Reference: a planned motion along a tool path, which tells a servo or a controller in which branch of configurations to stay."""
+"""Reference: a planned motion along a tool path, which tells a servo or a controller in which branch to stay."""
 
 from dataclasses import dataclass
 
@@ -17,12 +17,12 @@ from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.derivatives import Factor
 from manipplan.symbolic.task import Task
 
-#: Number of knots of a reference, samples of the motion from which they are chosen, and which of them enter expressions: each 4th.
+#: Number of knots of a reference, samples of the motion from which they are chosen, and which enter expressions: each 4th.
 KNOTS, SAMPLES, THINNED = 201, 2001, 4
 #: Metres per radian of joints in the distance between knots.
 SPACING = 0.1
-#: Of the return to a reference through the null space, as in servo.c: rate [1/s], distance from which on the arm is taken to be in
-#: another branch [rad], and metres per radian of joints where the nearest knot is sought.
+#: Of the return to a reference through the null space, as in servo.c: rate [1/s], distance from which on the arm is taken to
+#: be in another branch [rad], and metres per radian of joints where the nearest knot is sought.
 RETURN, BRANCH, BESIDE = 20.0, 0.5, 0.02
 #: Damping of the null space's projector [m].
 DAMPING = 1e-3
@@ -48,10 +48,10 @@ class Reference:
     @property
     def start(self) -> Array:
         """Configuration (n,) in which the reference begins; move the arm there before it follows the tool path."""
-        return self.q[0]
+        return np.asarray(self.q[0])
 
     def beside(self, q: ca.SX, tool: Placement, task: Task) -> ca.SX:
-        """The planned configuration (n, 1) where the tool is: at the least of a parabola through the distances of three knots."""
+        """The planned configuration (n, 1) where the tool is: at the least of a parabola through three knots' distances."""
         planned, poses = self.q[::THINNED], self.poses[::THINNED]
         count = len(planned)
         across = [np.zeros((3 * count, 3)) for _ in range(3)]  # half the sum of the cross products of the axes, in the tool's
@@ -83,12 +83,14 @@ class Reference:
 
     @classmethod
     def of(cls, plan: Plan, robot: Robot, task: Task) -> "Reference":
-        """The reference of a plan for an arm and the task that it follows; raises InvalidInputError where the plan is of no use."""
+        """The reference of a plan for an arm and its task; raises InvalidInputError where the plan is of no use."""
         instance("reference", plan, Plan)
         if plan.workspace_path is None or plan.report is None or not plan.report.along:
             raise InvalidInputError("reference", plan, "a plan along a tool path, such as mp.follow(robot, path)")
         if len(plan.report.along) > 1:
-            raise InvalidInputError("reference", plan, "a plan without interruptions: with one of them the arm changes its branch")
+            raise InvalidInputError(
+                "reference", plan, "a plan without interruptions: with one of them the arm changes its branch"
+            )
         theirs, ours = fingerprint(plan.robot), fingerprint(robot)
         if any(a.shape != b.shape or not np.allclose(a, b, rtol=0, atol=SAME_ARM) for a, b in zip(theirs, ours, strict=True)):
             wanted = f"a plan for the robot that is moved, {robot.name}, with the same tool and base"

@@ -37,8 +37,8 @@ from manipplan.tracking.reference import Reference
 TUBE_PENALTY = (10.0, 1e3)
 AVOIDANCE_PENALTY = (100.0, 1e4)
 PULL_LEAST = 1e3
-#: Weight of the return to a reference in the null space, and share of the formulation's terms beside it. So ∇ log m of `LogDrive`
-#: counts as in the servo, and both count little beside the tracking.
+#: Weight of the return to a reference in the null space, and share of the formulation's terms beside it. So ∇ log m of
+#: `LogDrive` counts as in the servo, and both count little beside the tracking.
 RETURN_WEIGHT = 10.0
 BESIDE_RETURN = 0.1
 #: Maximum rate that a target demands [m/s]; a farther target pulls no harder.

@@ -166,9 +166,11 @@ def track(
         reference=reference,
         compiled=compiled,
     )
-    if start is None and controller.reference is None:
-        raise InvalidInputError("start", start, "a configuration (n,), or a reference, at whose beginning it starts")
-    q = robot.configuration("start", start if start is not None or controller.reference is None else controller.reference.start)
+    if start is None:
+        if controller.reference is None:
+            raise InvalidInputError("start", start, "a configuration (n,), or a reference, at whose beginning it starts")
+        start = controller.reference.start
+    q = robot.configuration("start", start)
     if stiffness is None:
         stiffness = HOLD if tube is None or not formulation.solves_qp else StiffnessProfile()
     if duration is None:

@@ -1,5 +1,7 @@
 """A plan as the reference of a servo and of a controller: what is taken, where the arm stays, and which limits hold."""
 
+import itertools
+
 import casadi as ca
 import numpy as np
 import pinocchio as pin
@@ -71,7 +73,7 @@ def along(servo, q, line, seconds):
     servo.reset()
     q, qd = np.array(q), np.zeros(len(q))
     motion = [q]
-    for before, target in zip(poses, poses[1:], strict=False):
+    for before, target in itertools.pairwise(poses):
         here = kinematics.pose(q)
         turn = pin.log3(target[:3, :3] @ here[:3, :3].T)
         twist = np.concatenate([(target - before)[:3, 3] / DT + 10 * (before - here)[:3, 3], 10 * turn])
@@ -99,7 +101,9 @@ def test_the_arm_returns_to_the_plan_through_the_null_space(panda, plan, line, s
     kinematics = panda.kinematics(TASK)
     end = plan.trajectory(plan.trajectory.duration)
     for sign in (1, -1):
-        start = aside(kinematics, servo.reference.start, sign * np.linalg.svd(kinematics.jacobian(servo.reference.start))[2][-1], 0.3)
+        start = aside(
+            kinematics, servo.reference.start, sign * np.linalg.svd(kinematics.jacobian(servo.reference.start))[2][-1], 0.3
+        )
         near, off = along(servo, start, line, 3.0)
         assert np.linalg.norm(near[0] - servo.reference.start) > 0.2
         assert np.linalg.norm(near[-1] - end) < 0.06 and off < 1e-3
