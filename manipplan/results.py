@@ -23,6 +23,7 @@ from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 from manipplan.tracking.controller import Rollout, StepReport
+from manipplan.tracking.reference import Reference
 from manipplan.tracking.servo import ServoGauge, ServoLimit, ServoStatus, Singularity
 from manipplan.tracking.step import StepStatus
 from manipplan.tracking.track import Tracking
@@ -50,6 +51,7 @@ __all__ = [
     "PinocchioCasadi",
     "PlanReport",
     "ProgramStep",
+    "Reference",
     "Refinement",
     "Report",
     "Rollout",

@@ -39,6 +39,9 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define LENGTH 0.3       /* metres per radian where a pose is approached */
 #define APPROACH 2.0     /* deceleration with which it is approached [m/s²] */
 #define FASTEST 5.0      /* and the maximum speed [m/s] */
+#define RETURN 20.0      /* rate at which the drive returns to a planned motion [1/s] */
+#define BRANCH 0.5       /* distance in the null space from which on it does not: another branch [rad] */
+#define BESIDE 0.02      /* metres per radian of joints where the nearest knot is sought */
 #define STILL 0.01       /* commanded speed at which the drive has faded by half [m/s] */
 #define SHARE 0.5        /* of the joint speeds that the drive takes at most */
 #define BRAKING 0.7      /* share of the acceleration with which a fold is approached */
@@ -74,10 +77,15 @@ typedef struct {
     /* the step: the state, the command in its axes (twist or joint velocities), a pose (4, 4) by rows, whether it is new */
     double q[16], qd[16], dt, command[16], pose[16], axes[9];
     long mode, frame, fresh;
+    /* a planned motion of at least three knots, or 0 of them: positions (knots, joints), rotation (knots, 9) by columns and origin
+       (knots, 3) of the tool */
+    long knots;
+    const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are */
+       which of these there are; the nearest knot, whether it is known, and the planned positions there */
     double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
-    long guessed, has_inside, has_way, leaves;
+    long guessed, has_inside, has_way, leaves, knot, placed;
+    double beside[16];
     /* the result */
     double result[16], twist[6], speed, followed, slip, seconds, metres, wall, smallest, clearance;
     long kind, joint, limit, limit_joint, status;
@@ -347,8 +355,68 @@ static double row_of(const Servo *servo, const Work *w, long c, double *row) {
     return servo->bound[c];
 }
 
+/* Squared distance of the tool, in the rows of the task, and of the joints from a knot of the planned motion. */
+static double from_knot(const Servo *servo, long k) {
+    const double *R = servo->rotation, *P = servo->rotations + 9 * k;
+    double d[6], local[6], sum = 0, joints = 0;
+    for (int a = 0; a < 3; a++) d[a] = servo->origins[3 * k + a] - servo->origin[a], d[3 + a] = 0;
+    for (int c = 0; c < 3; c++) { /* half the sum of the cross products of the axes: the sine of the turn */
+        double part[3];
+        cross(R + 3 * c, P + 3 * c, part);
+        for (int a = 0; a < 3; a++) d[3 + a] += part[a] / 2;
+    }
+    for (int half = 0; half < 6; half += 3)
+        for (int a = 0; a < 3; a++) local[half + a] = dot(3, R + 3 * a, d + half);
+    for (long r = 0; r < servo->world_rows + servo->tool_rows; r++) {
+        double e = dot(6, servo->selection + 6 * r, r < servo->world_rows ? d : local);
+        sum += e * e;
+    }
+    for (long j = 0; j < servo->joints; j++) {
+        double e = servo->planned[k * servo->joints + j] - servo->q[j];
+        joints += e * e;
+    }
+    return sum + BESIDE * BESIDE * joints;
+}
+
+/* The planned positions (joints) where the tool is: those of the knot to which the distance is least from the last one on, and between
+   it and its neighbours those at the least of a parabola through the three. */
+static void find_planned(Servo *servo) {
+    long last = servo->knots - 1, k = servo->placed ? servo->knot : 0;
+    double here = from_knot(servo, k);
+    if (!servo->placed)
+        for (long i = 1; i <= last; i++) {
+            double far = from_knot(servo, i);
+            if (far < here) here = far, k = i;
+        }
+    for (int turn = -1; turn <= 1; turn += 2)
+        while (k + turn >= 0 && k + turn <= last) {
+            double far = from_knot(servo, k + turn);
+            if (!(far < here)) break;
+            here = far, k += turn;
+        }
+    servo->knot = k, servo->placed = 1;
+    long middle = k < 1 ? 1 : k > last - 1 ? last - 1 : k;
+    double before = from_knot(servo, middle - 1), at = from_knot(servo, middle), after = from_knot(servo, middle + 1);
+    double bent = before - 2 * at + after, t = bent > 1e-18 ? clip((before - after) / (2 * bent), -1, 1) : (double)(k - middle);
+    const double *q = servo->planned + middle * servo->joints, *next = t > 0 ? q + servo->joints : q - servo->joints;
+    for (long j = 0; j < servo->joints; j++) servo->beside[j] = q[j] + fabs(t) * (next[j] - q[j]);
+}
+
+/* Add to z (n) the return to the planned motion through the null space, (I - Jᵀ Y) (q_planned - q). */
+static void add_return(const Servo *servo, const Work *w, double Y[ROWS][MOST], double *z) {
+    double away[MOST], back[MOST], rate[ROWS];
+    for (long i = 0; i < w->n; i++) away[i] = servo->beside[w->joint[i]] - servo->q[w->joint[i]];
+    for (long a = 0; a < w->m; a++) rate[a] = dot(w->n, w->J[a], away);
+    for (long i = 0; i < w->n; i++) {
+        back[i] = away[i];
+        for (long a = 0; a < w->m; a++) back[i] -= Y[a][i] * rate[a];
+    }
+    double gain = least(RETURN, 0.5 / duration(servo)) * clip(2 - sqrt(dot(w->n, back, back)) / BRANCH, 0, 1);
+    for (long i = 0; i < w->n; i++) z[i] += gain * back[i];
+}
+
 /* The drive in the null space, z (n): ∇ log sqrt det(JJᵀ), of which Y (m, n) = (JJᵀ)⁻¹ J is the derivative by J, and away from joint
-   limits; it fades where nothing is commanded. */
+   limits, and back to a planned motion; it fades where nothing is commanded. */
 static void drive_of(const Servo *servo, const Work *w, double Y[ROWS][MOST], double *z) {
     double y[MOST][6] = {0}, turns[MOST][6] = {0};
     for (long k = 0; k < w->m; k++) {
@@ -367,6 +435,7 @@ static void drive_of(const Servo *servo, const Work *w, double Y[ROWS][MOST], do
         double above = servo->upper[j] - servo->q[j], below = servo->q[j] - servo->lower[j];
         z[i] = RATE * (z[i] + 0.1 * (1 / (most(below, 0) + RANGE) - 1 / (most(above, 0) + RANGE)));
     }
+    if (servo->knots) add_return(servo, w, Y, z);
     double fit = least(1, SHARE * along(w, z, servo->velocity)) * w->size / (w->size + STILL);
     for (long i = 0; i < w->n; i++) z[i] *= fit;
 }
@@ -790,6 +859,7 @@ static int follow_twist(Servo *servo, double *velocity) {
         if (carries) whole.joint[whole.n++] = j;
         else fixed[j] = clip(0, servo->low[j], servo->high[j]);
     }
+    if (servo->knots) find_planned(servo);
     int solved = solve(servo, w, fixed, velocity, force);
     memcpy(command, w->W, sizeof command);
     /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others */
@@ -919,7 +989,7 @@ static long read_command(Servo *servo) {
 static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
-    servo->guessed = servo->has_inside = servo->has_way = servo->leaves = 0;
+    servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
 }
 
 /* One step: joint velocities (joints) in `result`, and what a teleoperator wants to know about them. It keeps all limits. */
@@ -943,6 +1013,7 @@ void manipplan_servo(Servo *servo) {
     if (!(servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9))) servo->status = BAD_TIME_STEP;
     else if (servo->mode == BRAKE) forget(servo);
     else if (servo->mode == JOINTS) {
+        servo->placed = 0;
         if (!sound || !all_finite(joints, servo->command)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {

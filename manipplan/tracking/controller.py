@@ -11,6 +11,7 @@ import numpy as np
 from manipplan.cost.objective import PathObjective
 from manipplan.measures.measure import Measure
 from manipplan.paths.tolerance import Tolerance
+from manipplan.plans.result import Plan
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import (
@@ -33,6 +34,7 @@ from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.export import MachineCode, Sources
 from manipplan.tracking.formulations import Formulation
+from manipplan.tracking.reference import Reference
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
 #: Maximum number of characters of generated code that compiled="auto" compiles.
@@ -110,6 +112,7 @@ class Controller:
         approach: float = 2.0,
         tolerance: Tolerance | None = None,
         avoidance: Avoidance | None = None,
+        reference: Plan | None = None,
         compiled: bool | str = "auto",
     ) -> None:
         """Build the step; with a compiler this takes seconds the first time, or a minute for a measure with a long Hessian.
@@ -128,6 +131,9 @@ class Controller:
                 which overshoots where accelerations are bounded.
             tolerance: default tube around the target; None: no tube.
             avoidance: collision avoidance; None: no avoidance.
+            reference: a plan along the tool path, such as that of `mp.follow`, for this arm and task. The null space returns
+                to the planned configurations, in the branch that the plan chose. Begin at `reference.start`: from another
+                branch the arm is not pulled. None: the formulation decides alone.
             compiled: as in `Robot.kinematics`; "auto" does not compile a step with several hundred pairs of bodies, which
                 would take minutes: give `Avoidance` fewer links.
 
@@ -159,6 +165,8 @@ class Controller:
         self.kinematics = PathObjective(task=task, measure=measure).kinematics(robot, compiled=compiled)
         self.task = self.kinematics.task
         self.tolerance, self._avoidance = tolerance, avoidance
+        #: of the plan that was given; None without one
+        self.reference = None if reference is None else Reference.of(reference, robot, self.task)
         setup = StepSetup(
             kinematics=self.kinematics,
             formulation=formulation,
@@ -167,6 +175,7 @@ class Controller:
             approach=float(positive_array("approach", approach, 1)[0]),
             tube=tolerance is not None,
             avoidance=avoidance,
+            reference=self.reference,
         )
         self._step = step_of(setup)
         self.pairs = self._step.pairs

@@ -176,6 +176,7 @@ def _values_of(servo: "Servo") -> dict[str, str]:
         "JOINTS": str(law.joints),
         "PHYSICAL": str(law.physical),
         "PAIRS": str(law.pairs),
+        "KNOTS": str(law.knots),
         "DT": repr(servo.dt),
         "LONGEST": repr(law.slowest),
         "TIMEOUT": repr(law.timeout),

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
+from manipplan.plans.result import Plan
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, array_of_shape, instance, number, one_of, texts
@@ -26,6 +27,7 @@ from manipplan.symbolic.machine_code import check_compiled, do_without, generate
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, avoidance_rows, set_moving
 from manipplan.tracking.bounds import velocity_bounds
+from manipplan.tracking.reference import Reference
 
 #: Maximum number of joints, those that follow others included; as in servo.c.
 MOST_JOINTS = 16
@@ -125,6 +127,7 @@ class Servo:
 
     Attributes:
         robot, dt, task, side: the arguments.
+        reference: of the plan that was given: where it begins, and the motion there; None without a plan.
         pairs: names of the pairs of bodies that are kept apart.
         compiled: whether the arm's part of a step runs as machine code; the law always does.
     """
@@ -136,6 +139,7 @@ class Servo:
         dt: float,
         task: Task | None = None,
         side: str = "same",
+        reference: Plan | None = None,
         avoidance: Avoidance | None = None,
         smoothing: float = 0.0,
         timeout: float = 0.1,
@@ -166,6 +170,7 @@ class Servo:
         if task is None:
             task = Task.pose(LENGTH) if robot.default_task.name == "pose" else robot.default_task
         self.task = _usable(task)
+        self.reference = None if reference is None else Reference.of(reference, robot, self.task)
         self._avoidance = None if avoidance is None else instance("avoidance", avoidance, Avoidance)
         self.law: Any = struct("servo", "Servo")()
         self.law.smoothing = number("smoothing", smoothing, least=0.0)
@@ -266,7 +271,7 @@ class Servo:
         for name in ("qdd", "held", "filtered"):
             ctypes.memset(ctypes.addressof(s) + getattr(type(s), name).offset, 0, getattr(type(s), name).size)
         s.age = 0.0
-        s.guessed = s.has_inside = s.has_way = s.leaves = 0
+        s.guessed = s.has_inside = s.has_way = s.leaves = s.placed = 0
 
     @property
     def gauge(self) -> ServoGauge:
@@ -324,6 +329,11 @@ class Servo:
             **{name: np.zeros(max(self._problem.nnz_out(name), 1)) for name in OUTPUTS},
             "selection": np.zeros((6, 6)),
         }
+        if self.reference is not None:
+            self._arrays["planned"] = self.reference.q
+            self._arrays["rotations"] = self.reference.poses[:, :3, :3].transpose(0, 2, 1).copy()
+            self._arrays["origins"] = self.reference.poses[:, :3, 3].copy()
+            s.knots = len(self.reference.q)
         world, tool = self.task.matrices
         names = ("leader", "ratio", "lower", "upper", "velocity", "acceleration")
         #: constant numbers of the law, by their names in servo.c; `axes` are those of the base
@@ -331,6 +341,7 @@ class Servo:
             **{name: self._arrays[name] for name in names},
             "selection": np.concatenate([world, tool]),
             "axes": self.robot.base[:3, :3].T,
+            **{name: self._arrays.get(name, np.zeros(1)) for name in ("planned", "rotations", "origins")},
         }
         for name, array in self._arrays.items():
             setattr(s, name, array.ctypes.data)

@@ -14,7 +14,7 @@ arm to others. The drive of a formulation that `yields` therefore fades where th
 it; see `_Approach`, which also notices that the arm comes no closer, as STALLED reports.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 
 import casadi as ca
@@ -30,12 +30,17 @@ from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows
 from manipplan.tracking.bounds import nearest_rotation, task_error, velocity_bounds
 from manipplan.tracking.derivatives import SymbolicMeasure, convexified, gram
 from manipplan.tracking.formulations import Drive, Formulation
+from manipplan.tracking.reference import Reference
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
 #: is used only where the constraints are infeasible, and no larger, since that costs the solver precision.
 TUBE_PENALTY = (10.0, 1e3)
 AVOIDANCE_PENALTY = (100.0, 1e4)
 PULL_LEAST = 1e3
+#: Weight of the return to a reference in the null space, and share of the formulation's terms beside it. So ∇ log m of
+#: `LogDrive` counts as in the servo, and both count little beside the tracking.
+RETURN_WEIGHT = 10.0
+BESIDE_RETURN = 0.1
 #: Maximum rate that a target demands [m/s]; a farther target pulls no harder.
 FASTEST = 5.0
 #: Tolerances of an accepted solution on bounds and rows [rad/s, m/s], and on optimality conditions relative to their terms.
@@ -104,7 +109,7 @@ PROGRAM = ("h", "g", "a", "lbx", "ubx", "lba", "uba")
 @dataclass(frozen=True, kw_only=True)
 class StepSetup:
     """Settings of a step: arm and task, formulation, dt [s], diagonal of Q (n,), the deceleration [m/s²] at which
-    corrections are braked, and which constraint rows there are.
+    corrections are braked, which constraint rows there are, and a planned motion near which the arm stays.
     """
 
     kinematics: Kinematics
@@ -114,6 +119,7 @@ class StepSetup:
     approach: float
     tube: bool
     avoidance: Avoidance | None
+    reference: Reference | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -201,9 +207,13 @@ def _problem(
     if formulation.yields:
         share *= approach.share
     bent = ca.SX(0)
+    back = null = ca.SX(0)
+    if setup.reference is not None:
+        back, null = setup.reference.return_rate(q, symbolic.chain.tool, symbolic.task, jacobian, dt)
+        drive = replace(drive, hessian=BESIDE_RETURN * drive.hessian, gradient=BESIDE_RETURN * drive.gradient)
     outputs: dict[str, ca.SX]
     if not formulation.solves_qp:
-        velocity = formulation.closed_form(jacobian, rate, -share * drive.gradient)
+        velocity = formulation.closed_form(jacobian, rate, share * (back - drive.gradient))
         outputs = {"velocity": velocity, "lbx": low, "ubx": high}
     else:
         hessian = ca.diag(ca.SX(ca.DM(setup.weights))) + stiffness * gram(jacobian) + share * drive.hessian
@@ -213,6 +223,9 @@ def _problem(
         if formulation.convexify:
             hessian, bent = convexified(hessian)
         gradient = share * drive.gradient - stiffness * (jacobian.T @ rate)
+        if setup.reference is not None:  # ½ w (q̇ - back)ᵀ N (q̇ - back) with the projector N
+            hessian += share * RETURN_WEIGHT * null
+            gradient -= share * RETURN_WEIGHT * back
         tube = _tube(setup, inputs, jacobian, error, deviation) if setup.tube else None
         pull = stiffness + ca.sqrt(ca.sumsqr(share * drive.gradient))
         program = _program(hessian, gradient, pull, (low, high), tube, rows)

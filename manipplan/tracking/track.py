@@ -12,6 +12,7 @@ from manipplan.measures.measure import Measure
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Stiffness, StiffnessProfile, Tolerance
 from manipplan.paths.trajectory import Trajectory
+from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, instance, number
 from manipplan.support.display import one_line
@@ -108,7 +109,7 @@ class Tracking:
 def track(
     robot: Robot,
     path: CartesianPath,
-    start: ArrayLike,
+    start: ArrayLike | None,
     formulation: Formulation,
     *,
     dt: float,
@@ -120,6 +121,7 @@ def track(
     weights: ArrayLike = 1.0,
     approach: float = 2.0,
     avoidance: Avoidance | None = None,
+    reference: Plan | None = None,
     compiled: bool | str = "auto",
 ) -> Tracking:
     """Follow a path from rest to rest, with cubic timing s = 3u² - 2u³ along it, and raise manipulability on the way.
@@ -127,7 +129,7 @@ def track(
     Args:
         robot: the arm, with its limits.
         path: the poses T(s).
-        start: (n,) inside the limits, with the tool at or near T(0).
+        start: (n,) inside the limits, with the tool at or near T(0); None: where the reference begins.
         formulation: Classical, General, Objective, Equality or LogDrive of `manipplan.formulations`, or your own.
         dt: time step [s] > 0.
         duration: of the path [s]; default: one at which exact tracking would use half of the joint limits.
@@ -140,6 +142,7 @@ def track(
         weights: diagonal of Q.
         approach: deceleration [m/s²] at which corrections are braked, as in Controller; inf: dead-beat, as in the paper.
         avoidance: collision avoidance; its moving obstacles stand still here.
+        reference: a plan along this path, or along the one from which it is displaced; see `Controller`.
         compiled: as in `Robot.kinematics`.
 
     At the end of the path the drive is switched off and the final pose is approached for up to two seconds more.
@@ -160,8 +163,13 @@ def track(
         approach=approach,
         tolerance=None if tube is None else tube(0.0),
         avoidance=avoidance,
+        reference=reference,
         compiled=compiled,
     )
+    if start is None:
+        if controller.reference is None:
+            raise InvalidInputError("start", start, "a configuration (n,), or a reference, at whose beginning it starts")
+        start = controller.reference.start
     q = robot.configuration("start", start)
     if stiffness is None:
         stiffness = HOLD if tube is None or not formulation.solves_qp else StiffnessProfile()

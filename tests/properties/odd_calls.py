@@ -194,6 +194,7 @@ def calls(folder: Path) -> dict[str, Call]:
     link = planar.PlanarArm([1.0, 1.0, 1.0])
     two = planar.PlanarArm([1.0, 1.0])
     tracking = mp.track(arm, line, q, formulations.General(), dt=0.05, duration=1.0, task=position)
+    followed = mp.follow(arm, line, positions=4)
     step = {"pose": pose}
     jacobian = np.array([[1.0, 0.2, 0.1], [0.3, 1.0, 0.5]])
     mesh = folder / "mesh.stl"
@@ -302,7 +303,16 @@ def calls(folder: Path) -> dict[str, Call]:
         },
         "Servo": C(
             mp.Servo,
-            {"robot": arm, "dt": 0.01, "task": position, "side": "same", "smoothing": 0.0, "timeout": 0.1, "compiled": False},
+            {
+                "robot": arm,
+                "dt": 0.01,
+                "task": position,
+                "side": "same",
+                "reference": followed,
+                "smoothing": 0.0,
+                "timeout": 0.1,
+                "compiled": False,
+            },
         ),
         "Controller": C(
             mp.Controller,
@@ -317,6 +327,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "approach": 2.0,
                 "tolerance": mp.Tolerance(position=0.1),
                 "avoidance": mp.Avoidance(scene=scene),
+                "reference": followed,
                 "compiled": False,
             },
         ),
@@ -715,6 +726,7 @@ def calls(folder: Path) -> dict[str, Call]:
                 "dt": 0.05,
                 "duration": 1.0,
                 "task": position,
+                "reference": followed,
             },
             heavy=True,
         ),

@@ -461,10 +461,15 @@ def test_machine_code_and_virtual_machine_agree_bit_by_bit():
 
 
 @pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
-@pytest.mark.parametrize("name", ["panda", "so100"])
+@pytest.mark.parametrize("name", ["panda", "so100", "panda with a plan"])
 def test_the_exported_servo_has_the_same_bits(name, tmp_path):
-    robot = mp.load_robot(name)
-    servo = Servo(robot, dt=DT, compiled=False)
+    robot, plan = mp.load_robot(name.partition(" ")[0]), None
+    if name == "panda with a plan":
+        begin = np.array(robot.kinematics().pose(robot.neutral))
+        end = begin.copy()
+        end[0, 3] += 0.2
+        plan = mp.follow(robot, mp.CartesianPath.line(begin, end), start=robot.neutral, positions=6, samples=120)
+    servo = Servo(robot, dt=DT, reference=plan, compiled=False)
     servo.export_c(tmp_path)
     command = [
         *find_compiler().command,
