@@ -9,9 +9,11 @@ import re
 import unicodedata
 from pathlib import Path
 
+import nbformat
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from fontTools.ttLib import TTFont
+from nbclient import NotebookClient
 
 pytestmark = pytest.mark.site
 SITE = Path(os.environ.get("MANIPPLAN_SITE", Path(__file__).parents[2] / "docs" / "_build" / "html"))
@@ -41,6 +43,8 @@ FLAGS = "--no-sandbox"
 FONT = "Manipplan Formulas"
 #: Tallest page but those of the reference, on a screen of that width [px]. What is taller is cut into chapters.
 TALLEST, TALL_AT = 12_000, 1400
+#: Examples whose notebooks are run: the fastest of each section.
+NOTEBOOKS = ("trajectory_files", "singular", "all_solutions", "lerobot", "own_measure", "certificate")
 #: Number of parts in which all pages are visited, beside each other.
 PARTS = 6
 #: What a search is for, and the page that it shows first.
@@ -123,6 +127,17 @@ def test_search_works_from_files(open_page):
     targets = page.eval_on_selector_all("#search-results li a", "links => links.map(link => link.href)")
     assert any("howto/clearance.html" in target for target in targets)
     assert all(target.startswith("file:") for target in targets)
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebooks_run_where_nothing_else_is(name, tmp_path):
+    """What a reader downloads from an example's page, run by Jupyter's kernel in an empty folder."""
+    [file] = SITE.glob(f"_downloads/*/plot_{name}.ipynb")
+    notebook = nbformat.read(file, as_version=4)
+    NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    shown = [each for cell in notebook.cells for each in cell.get("outputs", [])]
+    assert [each["text"] for each in shown if each.get("name") == "stderr"] == []
+    assert any("image/png" in each.get("data", {}) for each in shown)
 
 
 def test_examples_print_values_instead_of_truths(open_page):
