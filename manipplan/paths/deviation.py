@@ -30,8 +30,8 @@ SHARES = 33
 BESIDE = 1e-3
 #: Number of tool poses compared at a time, of pairs of a pose and a piece, and of pairs of which distances are estimated.
 BLOCK, PAIRS, MOST_PAIRS = 256, 10_000, 1_000_000
-#: Number of pieces about the nearest one on which both parts of a tolerance may be kept.
-AROUND = 49
+#: Largest number of pieces with which a pose outside the tolerance is compared closely, and rounding of distances [m, rad].
+CLOSELY, ROUNDING = 128, 1e-7
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -99,14 +99,17 @@ def _bent(path: CartesianPath, s: Array) -> Array:
     return line
 
 
-def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
+def beyond_polygon(
+    given: Array, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None
+) -> tuple[Array, Array]:
     """How far poses (k, 4, 4) are outside the neighbourhood of the polygon of given ones (n, 4, 4): [m] and [rad], (k,) each.
 
     The neighbourhood of a piece between two given poses is as wide as a path through them may be: `NEAR` times the longest of
-    the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own.
+    the piece and its two neighbours, or of their angles. Positions and rotations on a piece are compared on their own. Of
+    several pieces that counts whose neighbourhood is left the least, and outside the tolerance, in shares of it.
     """
     if isinstance(free, BoundedMotion) or (free.in_tool and len(free.shifts)):
-        return _beyond_region(given, poses, free, None, widen=True)
+        return _beyond_region(given, poses, free, tolerance, widen=True)
     turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
     sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
     room = _room(sizes)
@@ -124,7 +127,18 @@ def beyond_polygon(given: Array, poses: Array, free: FreeMotion = NOTHING) -> tu
         left = some[~(position[some] + RADIAN * rotation[some] <= BESIDE)]
         rows, pieces = np.nonzero(np.ones((len(left), len(turns))))
         position[left], rotation[left] = _beyond_pieces(rows, pieces, given, room, poses[left], free)
+    allowed = _allowed(tolerance)
+    outside = np.flatnonzero((np.stack([position, rotation], axis=1) > allowed).any(axis=1))
+    for some in (outside[begin : begin + step] for begin in range(0, len(outside), step)):
+        rows, pieces = np.nonzero(np.ones((len(some), len(turns))))
+        position[some], rotation[some] = _beyond_pieces(rows, pieces, given, room, poses[some], free, allowed)
     return position, rotation
+
+
+def _allowed(tolerance: Tolerance | None) -> Array:
+    """The largest distance and angle (2,) of a tolerance [m, rad]; inf where it allows any."""
+    parts = (None, None) if tolerance is None else (tolerance.position, tolerance.rotation)
+    return np.array([np.inf if part is None else part for part in parts])
 
 
 def _room(sizes: Array) -> Array:
@@ -247,29 +261,24 @@ def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -
 
 def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
     """Lower bounds (k, n - 1) on how far poses (k, 4, 4) are outside the neighbourhoods of pieces [m], angles counted in."""
-    from scipy.spatial.transform import Rotation
-
-    least = np.zeros((len(poses), len(turns)))
-    if not (free.in_tool and len(free.shifts)):
-        fixed = free.fixed_directions.T
-        middles = (given[:-1, :3, 3] + given[1:, :3, 3]) / 2
-        apart = np.sqrt(_squares(poses[:, :3, 3] @ fixed, middles @ fixed))
-        least += np.maximum(apart - sizes[0] / 2 - room[0], 0.0)
-    if free.turns is not Turns.ANY:
-        middle = given[:-1, :3, :3] @ Rotation.from_rotvec(turns / 2).as_matrix()
-        chords = _squares(free.directions(poses[:, :3, :3]), free.directions(middle))
-        chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
-        apart = 2 * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
-        least += RADIAN * np.maximum(apart - sizes[1] / 2 - room[1], 0.0)
-    return least
+    middles = _along(given, turns, np.arange(len(turns)), np.full(len(turns), 0.5))
+    position, angle = _apart(poses, middles, free)
+    least = np.maximum(position - sizes[0] / 2 - room[0], 0.0)
+    return np.asarray(least + RADIAN * np.maximum(angle - sizes[1] / 2 - room[1], 0.0))
 
 
 def _beyond_pieces(
-    rows: NDArray[np.intp], pieces: NDArray[np.intp], given: Array, room: Array, poses: Array, free: FreeMotion
+    rows: NDArray[np.intp],
+    pieces: NDArray[np.intp],
+    given: Array,
+    room: Array,
+    poses: Array,
+    free: FreeMotion,
+    allowed: Array | None = None,
 ) -> tuple[Array, Array]:
     """How far poses (k, 4, 4) are outside the nearest neighbourhood of pieces (p,), each paired with one of `rows` (p,).
 
-    In [m] and [rad], (k,) each; inf where there is none.
+    In [m] and [rad], (k,) each; inf where there is none. Nearest is what is left the least, in shares of `allowed` if given.
     """
     found = np.empty((2, len(rows)))
     for begin in range(0, len(rows), PAIRS):
@@ -277,7 +286,7 @@ def _beyond_pieces(
         position, _ = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=0.0)
         _, rotation = _from_piece(poses[row], given[piece], given[piece + 1], free, radian=1e6)
         found[:, begin : begin + PAIRS] = np.maximum(np.array([position, rotation]) - room[:, piece], 0.0)
-    order = np.lexsort((found[0] + RADIAN * found[1], rows))
+    order = np.lexsort((found[0] + RADIAN * found[1] if allowed is None else _worst_share(found.T, allowed), rows))
     own, first = np.unique(rows[order], return_index=True)
     least = np.full((2, len(poses)), np.inf)
     least[:, own] = found[:, order[first]]
@@ -311,62 +320,50 @@ def distances_from(
         best = (found[:, 0] + radian * found[:, 1]).argmin(axis=0)
         own = found[best, :, np.arange(len(some))]
         if tolerance is not None:
-            allowed = np.array([tolerance.position or np.inf, tolerance.rotation or np.inf])
+            allowed = _allowed(tolerance)
             outside = np.flatnonzero((own > allowed).any(axis=1))
-            reach = own[outside, 0] + 2 * (tolerance.position or 0.0)
-            around = [_around(line, k[outside], reach) for k in (first, other)]
-            found, piece = _within(allowed, line, np.concatenate([pieces[:, outside], *around]), some[outside], free)
-            closer, _ = _within(allowed, line, _around(line, piece, 2 * reach / AROUND), some[outside], free)
-            nearer = (closer / allowed).max(axis=1) < (found / allowed).max(axis=1)
-            own[outside] = np.where(nearer[:, None], closer, found)
+            if len(outside):
+                found = _least_excess(allowed, line, some[outside], free)
+                nearer = (found / allowed).max(axis=1) < (own[outside] / allowed).max(axis=1)
+                own[outside] = np.where(nearer[:, None], found, own[outside])
         position[begin : begin + BLOCK], rotation[begin : begin + BLOCK] = own.T
     return position, rotation
 
 
-def _around(line: Array, pieces: NDArray[np.intp], reach: Array) -> NDArray[np.intp]:
-    """Pieces (AROUND, k) of a line within `reach` (k,) along it of others (k,): both parts of a tolerance may be kept there.
+def _least_excess(allowed: Array, line: Array, poses: Array, free: FreeMotion) -> Array:
+    """Distances and angles (k, 2) of poses (k, 4, 4) from where on a line (m, 4, 4) they exceed `allowed` (2,) the least.
 
-    Where pieces are short, that is not beside the one which is nearest by the sum of both.
+    A piece is compared closely if its middle less its half size may be better than the best middle, at most CLOSELY of a pose.
     """
-    along = np.append(0.0, np.linalg.norm(np.diff(line[:, :3, 3], axis=0), axis=1).cumsum())
-    begin = np.searchsorted(along, along[pieces] - reach)
-    end = np.searchsorted(along, along[pieces + 1] + reach)
-    spread = begin + (end - begin) * np.linspace(0.0, 1.0, AROUND)[:, None]
-    return np.clip(np.rint(spread).astype(np.intp), 0, len(line) - 2)
-
-
-def _within(
-    allowed: Array, line: Array, pieces: NDArray[np.intp], poses: Array, free: FreeMotion
-) -> tuple[Array, NDArray[np.intp]]:
-    """Distances and angles (k, 2) of poses (k, 4, 4) from where on pieces (p, k) they exceed `allowed` (2,) the least.
-
-    Returns them and the pieces (k,).
-    """
-    piece, row = pieces.ravel(), np.tile(np.arange(len(poses)), len(pieces))
+    turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
+    half = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), turns], axis=2)[:, None] / 2
+    middles = _along(line, turns, np.arange(len(turns)), np.full(len(turns), 0.5))
+    apart = np.array(_apart(poses, middles, free))
+    half = np.repeat(half, len(poses), axis=1) + ROUNDING
+    if free.in_tool and len(free.shifts):  # the directions of shifts turn along a piece
+        half[0] += half[1] * np.sqrt(_squares(poses[:, :3, 3], middles[:, :3, 3]))
+    at_middle = _worst_share(np.moveaxis(apart, 0, 2), allowed)
+    may_be = _worst_share(np.moveaxis(np.maximum(apart - half, 0.0), 0, 2), allowed) <= at_middle.min(axis=1)[:, None]
+    by_both = at_middle + 1e-3 * (apart / allowed[:, None, None]).sum(axis=0)
+    order = np.argsort(np.where(may_be, by_both, np.inf), axis=1)[:, :CLOSELY]
+    row, column = np.nonzero(np.take_along_axis(may_be, order, axis=1))
+    piece = order[row, column]
     start, along, offset, turn = _on_pieces(poses[row], line[piece], line[piece + 1], free)
-    half = np.linalg.norm([along, turn], axis=2).T / 2
-
-    def excess(pairs: NDArray[np.intp], share: float) -> tuple[Array, Array]:
-        angles = _angles(poses[row[pairs], :3, :3], start[pairs] @ rotations_of(share * turn[pairs]), free)
-        found = np.column_stack([np.linalg.norm(offset[pairs] - share * along[pairs], axis=1), angles])
-        return found, factor(found)
-
-    def factor(found: Array) -> Array:
-        shares = found / allowed
-        return np.asarray(shares.max(axis=1) + 1e-6 * shares.sum(axis=1))  # of equal ones the nearest
-
-    # only pieces that may be better than the best middle of one
-    best, least = excess(np.arange(len(row)), 0.5)
-    attained = np.full(len(poses), np.inf)
-    np.minimum.at(attained, row, least)
-    pairs = np.flatnonzero(factor(np.maximum(best - half, 0.0)) <= attained[row])
+    best, least = np.full((len(row), 2), np.inf), np.full(len(row), np.inf)
     for share in np.linspace(0.0, 1.0, SHARES):
-        found, worst = excess(pairs, share)
-        better = worst < least[pairs]
-        best[pairs[better]], least[pairs[better]] = found[better], worst[better]
-    order = np.lexsort((least, row))
-    own = order[np.searchsorted(row[order], np.arange(len(poses)))]
-    return best[own], piece[own]
+        angles = _angles(poses[row, :3, :3], start @ rotations_of(share * turn), free)
+        found = np.column_stack([np.linalg.norm(offset - share * along, axis=1), angles])
+        worst = _worst_share(found, allowed)
+        better = worst < least
+        best[better], least[better] = found[better], worst[better]
+    first = np.lexsort((least, row))
+    return best[first[np.searchsorted(row[first], np.arange(len(poses)))]]
+
+
+def _worst_share(found: Array, allowed: Array) -> Array:
+    """The larger share of a distance and an angle (..., 2) of what is allowed (2,); of equal ones the nearest is the least."""
+    shares = found / allowed
+    return np.asarray(shares.max(axis=-1) + 1e-6 * shares.sum(axis=-1))
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
@@ -377,7 +374,8 @@ def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN
     rows, last = np.arange(len(poses)), len(line) - 2
     if free.in_tool and len(free.shifts):  # what counts of a position depends on the pose of the path
         pieces = np.broadcast_to(np.arange(last + 1), (len(poses), last + 1))
-        of_ends = _apart(poses, line, free, radian)
+        position, angle = _apart(poses, line, free)
+        of_ends = position + radian * angle
         apart = np.minimum(of_ends[:, :-1], of_ends[:, 1:])
     else:
         vectors, others = _vectors(poses, free, radian), _vectors(line, free, radian)
@@ -408,13 +406,20 @@ def _vectors(poses: Array, free: FreeMotion, radian: float) -> Array:
     return np.hstack([poses[:, :3, 3] @ free.fixed_directions.T, scale * free.directions(poses[:, :3, :3])])
 
 
-def _apart(poses: Array, line: Array, free: FreeMotion, radian: float) -> Array:
-    """Distances (k, m) of poses (k, 4, 4) from those of a line (m, 4, 4), along whose axes they count; angles count in [m]."""
-    fixed = free.fixed_directions @ np.swapaxes(line[:, :3, :3], 1, 2)  # (m, c, 3)
-    offsets = np.einsum("mci,ki->kmc", fixed, poses[:, :3, 3]) - np.einsum("mci,mi->mc", fixed, line[:, :3, 3])
-    chords = _squares(free.directions(poses[:, :3, :3]), free.directions(line[:, :3, :3]))
+def _apart(poses: Array, others: Array, free: FreeMotion) -> tuple[Array, Array]:
+    """Distances [m] and angles [rad], (k, m) each, of poses (k, 4, 4) from others (m, 4, 4), whose directions count."""
+    if free.in_tool and len(free.shifts):
+        fixed = free.fixed_directions @ np.swapaxes(others[:, :3, :3], 1, 2)  # (m, c, 3)
+        offsets = np.einsum("mci,ki->kmc", fixed, poses[:, :3, 3]) - np.einsum("mci,mi->mc", fixed, others[:, :3, 3])
+        position = np.asarray(np.linalg.norm(offsets, axis=2))
+    else:
+        fixed = free.fixed_directions.T
+        position = np.sqrt(_squares(poses[:, :3, 3] @ fixed, others[:, :3, 3] @ fixed))
+    if free.turns is Turns.ANY:
+        return position, np.zeros_like(position)
+    chords = _squares(free.directions(poses[:, :3, :3]), free.directions(others[:, :3, :3]))
     chords /= 8.0 if free.turns is Turns.NONE else 4.0  # sin² of half the angle
-    return np.asarray(np.sqrt((offsets**2).sum(axis=2)) + 2 * radian * np.arcsin(np.sqrt(np.minimum(chords, 1.0))))
+    return position, 2 * np.arcsin(np.sqrt(np.minimum(chords, 1.0)))
 
 
 def _squares(first: Array, second: Array) -> Array:

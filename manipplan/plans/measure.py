@@ -75,7 +75,7 @@ def tool_distances(
         missed.append((part.s_begin + shares * (part.s_end - part.s_begin), position, rotation))
     if workspace_path.given is not None:
         whole = np.concatenate(ways)
-        left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free)))
+        left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free, tolerance)))
         given = distances_from(whole, workspace_path.given, free, tolerance, is_reached=True)
         missed.append((workspace_path.knots, *given))
     return _largest(left), _largest(missed)

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 import manipplan as mp
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import _from_piece as from_piece
-from manipplan.paths.deviation import deviation_at, deviation_from, deviations, distances_from
+from manipplan.paths.deviation import beyond_polygon, deviation_at, deviation_from, deviations, distances_from
 from manipplan.symbolic.free_motion import FreeMotion
 
 RNG = np.random.default_rng(7)
@@ -271,6 +271,45 @@ def test_both_parts_are_kept_where_the_sum_is_not_smallest(height, rate, share, 
     least = np.max(apart, axis=0).min()
     assert least <= 1
     assert max(position[0] / 1e-4, rotation[0] / 1e-3) <= max(1.0, least + 0.02)
+
+
+SHAPES = ("line", "circle", "turning circle", "polygon", "turn")
+
+
+def shape_of(kind, rng):
+    if "circle" in kind:
+        return CartesianPath.circle(START, START[:3, 3] + [0.05, 0, 0], [0, 0, 1], turning=kind != "circle")
+    if kind == "polygon":
+        poses = np.tile(np.eye(4), (rng.integers(3, 12), 1, 1))
+        poses[:, :3, :3] = Rotation.from_rotvec(rng.normal(0, 0.4, (len(poses), 3))).as_matrix()
+        poses[:, :3, 3] = rng.normal(0, 0.1, (len(poses), 3))
+        return CartesianPath.through(poses)
+    return CartesianPath.line(START, END if kind == "line" else turned(START, [0.3, 1.0, 0.2]))
+
+
+@settings(deadline=None, max_examples=40)
+@given(
+    st.sampled_from(SHAPES),
+    st.sampled_from([mp.Task.pose(), mp.Task.pointing([0, 0, 1])]),
+    st.sampled_from([(0.01, 0.09), (0.03, 0.01), (1e-3, 0.3)]),
+    st.integers(0, 2**31),
+)
+def test_a_tool_within_the_tolerance_of_each_pose_in_order_is_within_it(kind, task, widths, seed):
+    """Whichever piece of the path is the nearest: at the seam of a closed one, beside corners, where only the rotation turns."""
+    rng, tolerance = np.random.default_rng(seed), mp.Tolerance(position=widths[0], rotation=widths[1])
+    path, free = shape_of(kind, rng), FreeMotion.of(task)
+    s = np.linspace(0.0, 1.0, 1001)
+    ways = np.cos(np.outer(s, rng.uniform(0, 6, 6)) + rng.uniform(0, 2 * np.pi, 6))
+    ways /= np.maximum(1.0, [np.linalg.norm(part, axis=1).max() for part in (ways[:, :3], ways[:, 3:])]).repeat(3)
+    reached = shifted(path(s), 0.9 * widths[0] * ways[:, :3])
+    reached[:, :3, :3] = reached[:, :3, :3] @ Rotation.from_rotvec(0.9 * widths[1] * ways[:, 3:]).as_matrix()
+    assert deviation_at(path, s, reached, free).excess(tolerance, "path") == ""
+    found = [deviations(path, reached, free, tolerance), distances_from(reached, path(s), free, tolerance, is_reached=True)]
+    if path.given is not None:
+        found.append(beyond_polygon(path.given, reached, free, tolerance))
+    for position, rotation in found:
+        assert position.max() <= 1.001 * widths[0]
+        assert rotation.max() <= 1.001 * widths[1]
 
 
 @pytest.mark.parametrize("tolerance", [mp.Tolerance(position=1e-4), mp.Tolerance(rotation=2e-3)], ids=["position", "rotation"])
