@@ -22,6 +22,7 @@ enum {
 enum { TWIST, POSE, JOINTS, BRAKE };
 enum { WORLD, TOOL, OTHER_AXES };
 enum { SAME, OTHER, ANY };
+enum { NO_TURN, ABOUT_TOOL, ABOUT_WORLD, EVERY_TURN };
 enum { CLEAR, FOLD, POLE };
 enum { NOTHING, POSITION, VELOCITY, ACCELERATION, OBSTACLE };
 enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
@@ -65,6 +66,9 @@ typedef struct {
     /* the rows: (world_rows + tool_rows, 6), the first in world axes, the others in the tool's; angular entries in metres */
     long world_rows, tool_rows;
     const double *selection;
+    /* the rotations that they leave free, and the unit axis of these, in the tool or in the world */
+    long free_turns;
+    double free_axis[3];
     /* of this state: columns (physical, 6) in world axes, rotation (3, 3) stored by columns and origin (3) of the tool, the bounds
        low and high (joints), rows of obstacles (pairs, joints), their bounds and distances (pairs);
        moving obstacles (moving, 18) */
@@ -943,25 +947,55 @@ static int obstacles_are_sound(const Servo *servo) {
     return 1;
 }
 
-/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there. Returns 0 for no pose. */
-static int toward_pose(const Servo *servo, double *twist) {
-    const double *P = servo->pose, *R = servo->rotation;
-    double turn[9], across[3], sine, size, angular[3] = {0};
-    if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
-    for (int a = 0; a < 4; a++)
-        if (fabs(P[12 + a] - (a == 3)) > ROUNDED) return 0;
+/* The rotation vector that turns unit vector a into b, the shortest one. */
+static void turn_between(const double *a, const double *b, double *vector) {
+    double across[3], sine, angle;
+    cross(a, b, across);
+    sine = sqrt(dot(3, across, across)), angle = atan2(sine, dot(3, a, b));
+    if (sine < 1e-9) { /* about any axis across */
+        double unit[3] = {0};
+        unit[fabs(a[0]) < 0.6 ? 0 : 1] = 1;
+        cross(a, unit, across);
+        sine = sqrt(dot(3, across, across));
+    }
+    for (int i = 0; i < 3; i++) vector[i] = across[i] * angle / sine;
+}
+
+/* The rotation vector in world axes that brings the tool to a pose (4, 4), but for the rotations that are free. */
+static void turn_toward(const Servo *servo, const double *P, double *vector) {
+    const double *R = servo->rotation, *axis = servo->free_axis;
+    double turn[9], across[3], sine, here[3], there[3], local[3];
+    vector[0] = vector[1] = vector[2] = 0;
+    if (servo->free_turns == EVERY_TURN) return;
+    if (servo->free_turns != NO_TURN) {
+        for (int a = 0; a < 3; a++) local[a] = P[a] * axis[0] + P[4 + a] * axis[1] + P[8 + a] * axis[2]; /* Pᵀ axis */
+        if (servo->free_turns == ABOUT_TOOL) memcpy(local, axis, sizeof local);
+        for (int a = 0; a < 3; a++) here[a] = R[a] * local[0] + R[3 + a] * local[1] + R[6 + a] * local[2];
+        for (int a = 0; a < 3; a++) there[a] = servo->free_turns == ABOUT_TOOL ? dot(3, P + 4 * a, axis) : axis[a];
+        turn_between(here, there, vector);
+        return;
+    }
     for (int a = 0; a < 3; a++) /* P Rᵀ */
         for (int b = 0; b < 3; b++) turn[3 * a + b] = P[4 * a] * R[b] + P[4 * a + 1] * R[3 + b] + P[4 * a + 2] * R[6 + b];
     across[0] = (turn[7] - turn[5]) / 2, across[1] = (turn[2] - turn[6]) / 2, across[2] = (turn[3] - turn[1]) / 2;
     sine = sqrt(dot(3, across, across));
     double cosine = (turn[0] + turn[4] + turn[8] - 1) / 2, angle = atan2(sine, cosine);
     if (sine > 1e-9)
-        for (int a = 0; a < 3; a++) angular[a] = across[a] * angle / sine;
+        for (int a = 0; a < 3; a++) vector[a] = across[a] * angle / sine;
     else if (cosine < 0) /* a half turn: about the axis with the largest entry of (P Rᵀ + 1) / 2 */
         for (int a = 0, top = turn[0] >= turn[4] ? (turn[0] >= turn[8] ? 0 : 2) : turn[4] >= turn[8] ? 1 : 2; a < 3; a++)
-            angular[a] = angle * ((turn[3 * a + top] + (a == top)) / 2) / sqrt((turn[4 * top] + 1) / 2);
-    for (int a = 0; a < 3; a++) twist[a] = P[4 * a + 3] - servo->origin[a], twist[3 + a] = angular[a];
-    size = sqrt(dot(3, twist, twist) + LENGTH * LENGTH * dot(3, angular, angular));
+            vector[a] = angle * ((turn[3 * a + top] + (a == top)) / 2) / sqrt((turn[4 * top] + 1) / 2);
+}
+
+/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there. Returns 0 for no pose. */
+static int toward_pose(const Servo *servo, double *twist) {
+    const double *P = servo->pose;
+    if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
+    for (int a = 0; a < 4; a++)
+        if (fabs(P[12 + a] - (a == 3)) > ROUNDED) return 0;
+    for (int a = 0; a < 3; a++) twist[a] = P[4 * a + 3] - servo->origin[a];
+    turn_toward(servo, P, twist + 3);
+    double size = sqrt(dot(3, twist, twist) + LENGTH * LENGTH * dot(3, twist + 3, twist + 3));
     double rate = size > 0 ? least(1 / duration(servo), least(FASTEST, sqrt(2 * APPROACH * size)) / size) : 0;
     for (int a = 0; a < 6; a++) twist[a] *= rate;
     return 1;

@@ -184,6 +184,7 @@ def _values_of(servo: "Servo") -> dict[str, str]:
         "SIDE": str(law.side),
         "WORLD_ROWS": str(len(servo.task.world_rows)),
         "TOOL_ROWS": str(len(servo.task.tool_rows)),
+        "FREE_TURNS": str(law.free_turns),
         "OBSTACLES": str(servo.symbolic.nnz_in("obstacles")),
         "STATUSES": ",\n".join(f"    SERVO_{status.name} = {status.value}" for status in ServoStatus),
         "SIZES": ", ".join(map(str, sizes)),

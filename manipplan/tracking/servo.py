@@ -23,6 +23,7 @@ from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.chain import SymbolicChain
+from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 from manipplan.symbolic.machine_code import check_compiled, do_without, generate_source, native_flags, wants_machine_code
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, avoidance_rows, set_moving
@@ -239,7 +240,10 @@ class Servo:
         obstacles: Mapping[str, tuple[Any, ArrayLike]] | None = None,
         dt: float | None = None,
     ) -> Array:
-        """The same towards a `pose` (4, 4) or pin.SE3 of the tool in the world: no faster than the tool can stop there."""
+        """The same towards a `pose` (4, 4) or pin.SE3 of the tool in the world: no faster than the tool can stop there.
+
+        Rotations that the task leaves free need not be reached.
+        """
         self._put("pose", self._pose, getattr(pose, "homogeneous", pose))
         if self._frame != "world" or self._free is not None:
             self._choose_axes("world", None)
@@ -335,11 +339,15 @@ class Servo:
             self._arrays["origins"] = self.reference.poses[:, :3, 3].copy()
             s.knots = len(self.reference.q)
         world, tool = self.task.matrices
+        free = _free_motion(self.task, planar=self.robot.planar)
+        s.free_turns = list(Turns).index(free.turns)
+        _view(s, "free_axis", 3)[:] = free.axis
         names = ("leader", "ratio", "lower", "upper", "velocity", "acceleration")
         #: constant numbers of the law, by their names in servo.c; `axes` are those of the base
         self.constants = {
             **{name: self._arrays[name] for name in names},
             "selection": np.concatenate([world, tool]),
+            "free_axis": free.axis,
             "axes": self.robot.base[:3, :3].T,
             **{name: self._arrays.get(name, np.zeros(1)) for name in ("planned", "rotations", "origins")},
         }
@@ -431,6 +439,14 @@ def _usable(task: Task) -> Task:
     if task.rows > len(DIRECTIONS):
         raise InvalidInputError("task", task, "at most six rows")
     return task
+
+
+def _free_motion(task: Task, *, planar: bool) -> FreeMotion:
+    """What of a pose need not be reached; nothing of its rotation for a task that fixes no set of poses."""
+    try:
+        return FreeMotion.of(task, planar=planar)
+    except InvalidInputError:
+        return NOTHING
 
 
 def _directions(free: Collection[str]) -> Collection[str]:

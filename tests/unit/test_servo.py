@@ -372,6 +372,37 @@ def test_a_pose_is_reached_and_joints_are_jogged(servos):
     assert servo.status is ServoStatus.FOLLOWING
 
 
+#: Tasks with a free rotation, and its axis: in the tool, or in the world, or None where all rotations are free.
+FREE_TURNS = {
+    "tool": (mp.Task.pointing(), (0.0, 0.0, 1.0)),
+    "slanted": (mp.Task.pointing((0.6, 0.0, -0.8)), (0.6, 0.0, -0.8)),
+    "world": (mp.Task.custom(np.eye(6)[:5] * [1, 1, 1, 0.3, 0.3, 0.3], name="level"), (0.0, 0.0, 1.0)),
+    "all": (mp.Task.position(), None),
+}
+
+
+@settings(deadline=None, max_examples=8)
+@given(st.one_of(st.just(np.pi), st.floats(-np.pi, np.pi)), st.integers(0, 2**31))
+@pytest.mark.parametrize("name", FREE_TURNS)
+def test_a_pose_is_reached_but_for_the_turns_that_are_free(servos, name, angle, seed):
+    """Also where the tool stands half a turn from it: the free turn does not bend the way there."""
+    task, axis = FREE_TURNS[name]
+    servo, rng = servos("ur5", task=task), np.random.default_rng(seed)
+    q, qd = np.array([0.3, -1.3, 1.6, -1.2, 1.2, 0.3]), np.zeros(6)
+    goal, _ = kinematics(servo.robot, q + rng.uniform(-0.25, 0.25, 6))
+    turn = pin.exp3(rng.uniform(-2, 2, 3) if axis is None else angle * np.array(axis))
+    goal.rotation = turn @ goal.rotation if name == "world" else goal.rotation @ turn
+    for _ in range(2000):
+        qd = servo.step_pose(q, qd, goal)
+        q = q + DT * qd
+    reached, _ = kinematics(servo.robot, q)
+    assert np.linalg.norm(reached.translation - goal.translation) < 1e-4
+    if name == "world":  # the vertical as the tool sees it
+        np.testing.assert_allclose(reached.rotation[2], goal.rotation[2], atol=1e-3)
+    elif axis is not None:
+        np.testing.assert_allclose(reached.rotation @ axis, goal.rotation @ axis, atol=1e-3)
+
+
 def test_at_rest_without_a_command(servos):
     servo = servos("panda")
     q = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5])
