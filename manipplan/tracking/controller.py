@@ -34,7 +34,7 @@ from manipplan.tracking.bodies import CapsuleBodies, CapsuleBody
 from manipplan.tracking.bounds import limits_jerk
 from manipplan.tracking.export import MachineCode, Sources
 from manipplan.tracking.formulations import Formulation
-from manipplan.tracking.reference import Reference
+from manipplan.tracking.reference import reference_of
 from manipplan.tracking.step import HUGE, REPORT, StepSetup, StepStatus, step_of
 
 #: Maximum number of characters of generated code that compiled="auto" compiles.
@@ -166,7 +166,7 @@ class Controller:
         self.task = self.kinematics.task
         self.tolerance, self._avoidance = tolerance, avoidance
         #: of the plan that was given; None without one
-        self.reference = None if reference is None else Reference.of(reference, robot, self.task)
+        self.reference = None if reference is None else reference_of(reference, robot, self.task)
         setup = StepSetup(
             kinematics=self.kinematics,
             formulation=formulation,

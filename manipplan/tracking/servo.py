@@ -28,7 +28,7 @@ from manipplan.symbolic.machine_code import check_compiled, do_without, generate
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, avoidance_rows, set_moving
 from manipplan.tracking.bounds import velocity_bounds
-from manipplan.tracking.reference import Reference
+from manipplan.tracking.reference import reference_of
 
 #: Maximum number of joints, those that follow others included; as in servo.c.
 MOST_JOINTS = 16
@@ -171,7 +171,7 @@ class Servo:
         if task is None:
             task = Task.pose(LENGTH) if robot.default_task.name == "pose" else robot.default_task
         self.task = _usable(task)
-        self.reference = None if reference is None else Reference.of(reference, robot, self.task)
+        self.reference = None if reference is None else reference_of(reference, robot, self.task)
         self._avoidance = None if avoidance is None else instance("avoidance", avoidance, Avoidance)
         self.law: Any = struct("servo", "Servo")()
         self.law.smoothing = number("smoothing", smoothing, least=0.0)

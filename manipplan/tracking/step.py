@@ -30,7 +30,7 @@ from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows
 from manipplan.tracking.bounds import nearest_rotation, task_error, velocity_bounds
 from manipplan.tracking.derivatives import SymbolicMeasure, convexified, gram
 from manipplan.tracking.formulations import Drive, Formulation
-from manipplan.tracking.reference import Reference
+from manipplan.tracking.reference import Reference, return_rate
 
 #: Weights (w, w') of the penalties w p s + ½ w' s² on the slacks s, where p is stiffness and drive: large enough that a slack
 #: is used only where the constraints are infeasible, and no larger, since that costs the solver precision.
@@ -209,7 +209,7 @@ def _problem(
     bent = ca.SX(0)
     back = null = ca.SX(0)
     if setup.reference is not None:
-        back, null = setup.reference.return_rate(q, symbolic.chain.tool, symbolic.task, jacobian, dt)
+        back, null = return_rate(setup.reference, q, symbolic.chain.tool, symbolic.task, jacobian, dt)
         drive = replace(drive, hessian=BESIDE_RETURN * drive.hessian, gradient=BESIDE_RETURN * drive.gradient)
     outputs: dict[str, ca.SX]
     if not formulation.solves_qp:

@@ -41,6 +41,7 @@ MADE = [
     "PlanReport",
     "Posture",
     "Program",
+    "Reference",
     "Refinement",
     "Report",
     "Robot",

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.tracking.reference import BRANCH, KNOTS, Reference
+from manipplan.tracking.reference import BRANCH, KNOTS, planned_beside, reference_of
 
 DT = 0.004
 TASK = mp.Task.pose(0.3)
@@ -86,7 +86,7 @@ def along(servo, q, line, seconds):
 def test_a_reference_is_the_part_of_the_plan_along_the_path(panda, plan, line):
     start = panda.states["default"] + np.array([0.4, 0.2, -0.3, 0.1, 0.2, 0.0, 0.1])
     led = mp.follow(panda, line, start=start, **FEW)
-    reference = Reference.of(led, panda, TASK)
+    reference = reference_of(led, panda, TASK)
     assert reference.q.shape == (KNOTS, 7) and reference.poses.shape == (KNOTS, 4, 4)
     assert np.allclose(reference.start, led.trajectory(led.path_begin), atol=1e-9)
     assert np.allclose(reference.q[-1], led.trajectory(led.trajectory.duration), atol=1e-9)
@@ -94,7 +94,7 @@ def test_a_reference_is_the_part_of_the_plan_along_the_path(panda, plan, line):
     assert np.allclose(reference.lead_in(0.0), start)
     assert np.allclose(reference.lead_in(reference.lead_in.duration), reference.start, atol=1e-9)
     assert reference.lead_in.duration == pytest.approx(led.path_begin)
-    assert Reference.of(plan, panda, TASK).lead_in is None
+    assert reference_of(plan, panda, TASK).lead_in is None
 
 
 def test_the_arm_returns_to_the_plan_through_the_null_space(panda, plan, line, servo, plain):
@@ -151,7 +151,7 @@ def test_limits_hold_near_the_plan_and_away_from_it(servo, knot, shift, twist, f
 def test_law_and_expression_find_the_same_place_on_the_plan(panda, servo):
     symbolic = panda.kinematics(TASK).symbolic
     q = symbolic.chain.q
-    beside = ca.Function("beside", [q], [servo.reference.beside(q, symbolic.chain.tool, TASK)])
+    beside = ca.Function("beside", [q], [planned_beside(servo.reference, q, symbolic.chain.tool, TASK)])
     rng = np.random.default_rng(0)
     for knot in (0, 3, 50, 101, 160, 200):
         here = servo.reference.q[knot] + 0.02 * rng.standard_normal(7)
@@ -166,7 +166,7 @@ def test_a_moved_base_moves_the_reference(line):
     base = pin.SE3(pin.rpy.rpyToMatrix(0.3, -0.5, 1.0), np.array([0.2, -0.1, 0.4])).homogeneous
     moved = mp.load_robot("panda").at(base)
     plan = mp.follow(moved, line_from(moved, moved.neutral, base[:3, :3] @ [0.05, 0.1, 0.0]), **FEW)
-    reference = Reference.of(plan, moved, TASK)
+    reference = reference_of(plan, moved, TASK)
     data = moved.model.createData()
     frame = moved.model.getFrameId(moved.tool)
     for q, pose in zip(reference.q[::40], reference.poses[::40], strict=True):
@@ -178,7 +178,7 @@ def test_a_moved_base_moves_the_reference(line):
 
 def test_track_begins_at_the_reference_and_stays_near_it(panda, plan, line):
     tracking = mp.track(panda, line, None, mp.formulations.LogDrive(), dt=DT, duration=3.0, task=TASK, reference=plan)
-    reference = Reference.of(plan, panda, TASK)
+    reference = reference_of(plan, panda, TASK)
     assert tracking.status is mp.Status.TRACKED
     assert np.array_equal(tracking.q[0], reference.start)
     far = np.abs(tracking.q[:, None, :] - reference.q[None]).max(axis=2).min(axis=1)
