@@ -162,7 +162,7 @@ def click_in_chart(page, share, chosen):
 
 
 def drag(page, places, done):
-    """Drag an arrow in the picture until `done()`; `places()`: where it is now and where it shall be [px].
+    """Drag an arrow in the picture until `done()`; `places()` are those of the arrow now and after the drag [px].
 
     Without a graphics card it may take seconds until the arrow notices the pointer, and it may follow a part of the way only.
     """
