@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import casadi as ca
 import numpy as np
+import pinocchio as pin
 
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.archive import fingerprint
@@ -58,7 +59,7 @@ def planned_beside(reference: Reference, q: ca.SX, tool: Placement, task: Task) 
     across = [np.zeros((3 * count, 3)) for _ in range(3)]  # half the sum of the cross products of the axes, in the tool's
     for k, pose in enumerate(poses):
         for axis in range(3):
-            across[axis][3 * k : 3 * k + 3] = -_skew(pose[:3, axis]) / 2
+            across[axis][3 * k : 3 * k + 3] = -pin.skew(pose[:3, axis]) / 2
     turns = ca.reshape(sum(ca.DM(across[axis]) @ tool.rotation[:, axis] for axis in range(3)), 3, count)
     shifts = ca.DM(poses[:, :3, 3].T) - ca.repmat(tool.origin, 1, count)
     world, own = (ca.sparsify(ca.DM(rows)) for rows in task.matrices)
@@ -121,11 +122,6 @@ def _same_rows(first: Task, second: Task) -> bool:
         return [np.linalg.pinv(rows) @ rows if len(rows) else np.zeros((6, 6)) for rows in task.matrices]
 
     return all(np.allclose(a, b, atol=1e-9) for a, b in zip(spaces(first), spaces(second), strict=True))
-
-
-def _skew(v: Array) -> Array:
-    """The matrix of the cross product with v (3,)."""
-    return np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
 def _until(motion: Trajectory, end: float) -> Trajectory | None:
