@@ -2,10 +2,14 @@
 
 import csv
 import re
+import tomllib
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 import manipplan as mp
 
@@ -21,6 +25,26 @@ def test_the_first_example_prints_what_it_says(tmp_path, monkeypatch, capsys):
     exec(compile(code, "README.md", "exec"), {})
     assert capsys.readouterr().out == expected
     assert len(list((tmp_path / "plan").iterdir())) == 7
+
+
+def test_the_two_commands_install_all_packages_in_exact_versions():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"]
+    del extras["menagerie"]  # gigabytes of models, for a benchmark
+    exact = [Requirement(line) for line in (ROOT / "requirements.txt").read_text().splitlines() if not line.startswith("#")]
+    versions = {canonicalize_name(each.name): str(each.specifier).removeprefix("==") for each in exact}
+    waiting = [Requirement(line) for line in [*project["dependencies"], *(line for lines in extras.values() for line in lines)]]
+    seen = set()
+    while waiting:
+        needed = waiting.pop()
+        version = versions[canonicalize_name(needed.name)]
+        assert version in needed.specifier, str(needed)
+        for line in metadata.requires(needed.name) or []:
+            further = Requirement(line)
+            wanted = any(further.marker is None or further.marker.evaluate({"extra": extra}) for extra in ["", *needed.extras])
+            if wanted and str(further) not in seen:
+                seen.add(str(further))
+                waiting.append(further)
 
 
 def test_the_first_page_is_short():
