@@ -1,5 +1,6 @@
 """Deviation: how far the tool leaves a workspace path, measured independently of how the motion was computed."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -158,8 +159,9 @@ def _beyond_region(
 ) -> tuple[Array, Array]:
     """How far poses (k, 4, 4) are outside the regions about the pieces between poses of a line (m, 4, 4): [m] and [rad], (k,).
 
-    Of each pose the place that it exceeds the least counts: every ANCHORS-th is compared with all pieces, those between with
-    the pieces between its two, and where that leaves more than half of the tolerance with all.
+    Of each pose the place counts that it exceeds by the smallest sum of shares of the tolerance, and where that is outside, by
+    the smallest factor. Every ANCHORS-th is compared with all pieces, those between with the pieces between its two, and where
+    that leaves more than half of the tolerance with all.
 
     Args:
         line: the path; with `is_reached` the tool's way, and the regions are those about the poses.
@@ -182,7 +184,20 @@ def _beyond_region(
             found[between], _ = pieces.compare(poses[between], window)
             for k in first + 1 + np.flatnonzero((found[between] > pieces.allowed / 2).any(axis=1)):
                 found[k], _ = pieces.compare_all(poses[k])
+    for k in np.flatnonzero((found > pieces.allowed).any(axis=1)):
+        found[k], _ = pieces.compare_all(poses[k], by=_worst_share)
     return found[:, 0], found[:, 1]
+
+
+def _sum_of_shares(found: Array, allowed: Array) -> Array:
+    """The sum of the shares of a distance and an angle (..., 2) of what is allowed (2,)."""
+    return np.asarray((found / allowed).sum(axis=-1))
+
+
+def _worst_share(found: Array, allowed: Array) -> Array:
+    """The larger share of a distance and an angle (..., 2) of what is allowed (2,); of equal ones the nearest is the least."""
+    shares = found / allowed
+    return np.asarray(shares.max(axis=-1) + 1e-6 * shares.sum(axis=-1))
 
 
 class _RegionPieces:
@@ -199,45 +214,47 @@ class _RegionPieces:
 
     def compare(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
         """How far poses (k, 4, 4) are outside the best of `pieces` (j,), (k, 2), and which it is, (k,)."""
-        _, ranks = self._least(poses, pieces)
-        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, :MANY_PIECES]])
+        _, ranks = self._least(poses, pieces, _sum_of_shares)
+        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, :MANY_PIECES]], _sum_of_shares)
 
-    def compare_all(self, pose: Array) -> tuple[Array, int]:
-        """How far a pose (4, 4) is outside the best of all pieces, (2,), and which it is."""
-        least, ranks = (each[0] for each in self._least(pose[None], np.arange(len(self.turns))))
+    def compare_all(self, pose: Array, by: Callable[[Array, Array], Array] = _sum_of_shares) -> tuple[Array, int]:
+        """How far a pose (4, 4) is outside the best of all pieces by a measure, (2,), and which it is."""
+        least, ranks = (each[0] for each in self._least(pose[None], np.arange(len(self.turns)), by))
         order, found, best = np.argsort(ranks), np.full(2, np.inf), 0
         for begin in range(0, len(order), BLOCK):
-            if (found <= self.allowed / 4).all() or (found / self.allowed).sum() <= least[order[begin]]:
+            if (found <= self.allowed / 4).all() or by(found, self.allowed) <= least[order[begin]]:
                 break
-            own, piece = self._closely(pose[None], order[None, begin : begin + BLOCK])
-            if (own[0] / self.allowed).sum() < (found / self.allowed).sum():
+            own, piece = self._closely(pose[None], order[None, begin : begin + BLOCK], by)
+            if by(own[0], self.allowed) < by(found, self.allowed):
                 found, best = own[0], int(piece[0])
         return found, best
 
-    def _least(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, Array]:
-        """The least that any place on pieces (j,) can leave of poses (k, 4, 4), in shares of what is allowed, (k, j).
+    def _least(self, poses: Array, pieces: NDArray[np.int64], by: Callable[[Array, Array], Array]) -> tuple[Array, Array]:
+        """The least that any place on pieces (j,) can leave of poses (k, 4, 4), (k, j), by shares of what is allowed.
 
         Also ranks (k, j) by which, of equal ones, those come first whose middle leaves less.
         """
         excess = self._excess(np.repeat(poses, len(pieces), axis=0), self.middles[np.tile(pieces, len(poses))])
-        middle, scale = excess.reshape(2, len(poses), -1), self.allowed[:, None, None]
+        middle = excess.reshape(2, len(poses), -1)
         half = np.repeat(self.half[:, None, pieces], len(poses), axis=1)
         if self.free.in_tool:  # the directions of shifts turn along a piece
             reach = np.linalg.norm(poses[:, None, :3, 3] - self.middles[pieces, :3, 3], axis=2)
             half[0] += reach * (self.half - self.room)[1, pieces]
-        least = (np.maximum(middle - half, 0.0) / scale).sum(axis=0)
-        return least, least + 1e-6 * (middle / scale).sum(axis=0)
+        least = by(np.moveaxis(np.maximum(middle - half, 0.0), 0, 2), self.allowed)
+        return least, least + 1e-6 * by(np.moveaxis(middle, 0, 2), self.allowed)
 
-    def _closely(self, poses: Array, chosen: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
+    def _closely(
+        self, poses: Array, chosen: NDArray[np.int64], by: Callable[[Array, Array], Array]
+    ) -> tuple[Array, NDArray[np.int64]]:
         """How far poses (k, 4, 4) are outside the best of pieces chosen (k, j), (k, 2), and which it is, (k,)."""
-        count, scale = len(poses), self.allowed[:, None, None]
+        count = len(poses)
         share, width, least = np.full(chosen.shape, 0.5), 0.5, np.full((2, *chosen.shape), np.inf)
         for _ in range(ROUNDS):  # closer and closer about the best places of the best pieces
             piece, row = np.repeat(chosen.ravel(), CLOSE), np.repeat(np.arange(count), chosen.shape[1] * CLOSE)
             close = np.clip(share[..., None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
             excess = self._excess(poses[row], _along(self.line, self.turns, piece, close.ravel()))
             excess = np.maximum(excess - self.room[:, piece], 0.0).reshape(2, *close.shape)
-            worth = (excess / scale[..., None]).sum(axis=0)
+            worth = by(np.moveaxis(excess, 0, 3), self.allowed)
             place = worth.argmin(axis=2)[..., None]
             order = np.argsort(np.take_along_axis(worth, place, axis=2)[..., 0], axis=1, kind="stable")[:, :NEAREST_PIECES]
             share = np.take_along_axis(np.take_along_axis(close, place, axis=2)[..., 0], order, axis=1)
@@ -307,7 +324,7 @@ def distances_from(
     """
     position, rotation = np.empty(len(poses)), np.empty(len(poses))
     radian = RADIAN
-    if isinstance(free, BoundedMotion):
+    if isinstance(free, BoundedMotion) or (is_reached and free.in_tool and len(free.shifts)):
         return _beyond_region(line, poses, free, tolerance, is_reached=is_reached)
     if tolerance is not None and tolerance.position is not None and tolerance.rotation is not None:
         radian = tolerance.position / tolerance.rotation
@@ -358,12 +375,6 @@ def _least_excess(allowed: Array, line: Array, poses: Array, free: FreeMotion) -
         best[better], least[better] = found[better], worst[better]
     first = np.lexsort((least, row))
     return best[first[np.searchsorted(row[first], np.arange(len(poses)))]]
-
-
-def _worst_share(found: Array, allowed: Array) -> Array:
-    """The larger share of a distance and an angle (..., 2) of what is allowed (2,); of equal ones the nearest is the least."""
-    shares = found / allowed
-    return np.asarray(shares.max(axis=-1) + 1e-6 * shares.sum(axis=-1))
 
 
 def _nearest(poses: Array, line: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

@@ -273,7 +273,8 @@ def test_both_parts_are_kept_where_the_sum_is_not_smallest(height, rate, share, 
     assert max(position[0] / 1e-4, rotation[0] / 1e-3) <= max(1.0, least + 0.02)
 
 
-SHAPES = ("line", "circle", "turning circle", "polygon", "turn")
+SHAPES = ("line", "circle", "turning circle", "polygon", "turn", "eight")
+ALONG_TOOL = mp.Task.custom(np.eye(6)[[0, 1, 3, 4, 5]], frame="tool", name="free along z")
 
 
 def shape_of(kind, rng):
@@ -284,13 +285,19 @@ def shape_of(kind, rng):
         poses[:, :3, :3] = Rotation.from_rotvec(rng.normal(0, 0.4, (len(poses), 3))).as_matrix()
         poses[:, :3, 3] = rng.normal(0, 0.1, (len(poses), 3))
         return CartesianPath.through(poses)
+    if kind == "eight":
+        t = np.linspace(0, 2 * np.pi, 60)
+        poses = np.tile(np.eye(4), (len(t), 1, 1))
+        poses[:, :2, 3] = np.column_stack([0.2 * np.sin(t), 0.1 * np.sin(2 * t)])
+        poses[:, :3, :3] = Rotation.from_rotvec(np.outer(np.sin(t), rng.normal(0, 0.5, 3))).as_matrix()
+        return CartesianPath.through(poses)
     return CartesianPath.line(START, END if kind == "line" else turned(START, [0.3, 1.0, 0.2]))
 
 
 @settings(deadline=None, max_examples=40)
 @given(
     st.sampled_from(SHAPES),
-    st.sampled_from([mp.Task.pose(), mp.Task.pointing([0, 0, 1])]),
+    st.sampled_from([mp.Task.pose(), mp.Task.pointing([0, 0, 1]), ALONG_TOOL]),
     st.sampled_from([(0.01, 0.09), (0.03, 0.01), (1e-3, 0.3)]),
     st.integers(0, 2**31),
 )
@@ -298,11 +305,13 @@ def test_a_tool_within_the_tolerance_of_each_pose_in_order_is_within_it(kind, ta
     """Whichever piece of the path is the nearest: at the seam of a closed one, beside corners, where only the rotation turns."""
     rng, tolerance = np.random.default_rng(seed), mp.Tolerance(position=widths[0], rotation=widths[1])
     path, free = shape_of(kind, rng), FreeMotion.of(task)
-    s = np.linspace(0.0, 1.0, 1001)
+    s = np.linspace(0.0, 1.0, 1001 if task is not ALONG_TOOL else 201)
     ways = np.cos(np.outer(s, rng.uniform(0, 6, 6)) + rng.uniform(0, 2 * np.pi, 6))
     ways /= np.maximum(1.0, [np.linalg.norm(part, axis=1).max() for part in (ways[:, :3], ways[:, 3:])]).repeat(3)
     reached = shifted(path(s), 0.9 * widths[0] * ways[:, :3])
     reached[:, :3, :3] = reached[:, :3, :3] @ Rotation.from_rotvec(0.9 * widths[1] * ways[:, 3:]).as_matrix()
+    if task is ALONG_TOOL:
+        reached[:, :3, 3] += 0.05 * ways[:, :1] * path(s)[:, :3, 2]
     assert deviation_at(path, s, reached, free).excess(tolerance, "path") == ""
     found = [deviations(path, reached, free, tolerance), distances_from(reached, path(s), free, tolerance, is_reached=True)]
     if path.given is not None:
