@@ -35,11 +35,7 @@ class Study(Generic[Claims]):
     make: Callable[[Path, bool, Progress], Claims]
     differences: Callable[[Claims, bool], list[str]]
 
-    def run(self, out: Path, *, quick: bool, progress: Progress) -> list[str]:
-        """Write tables and figures into `out`; returns the differences from the expected results."""
-        return self.compared(out, quick=quick, progress=progress).differences
-
-    def compared(self, out: Path, *, quick: bool, progress: Progress) -> printed.Comparison:
+    def run(self, out: Path, *, quick: bool, progress: Progress) -> printed.Comparison:
         """Write tables and figures into `out`, and compare every number with expected.csv and with the pages."""
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory() as before:
@@ -65,7 +61,7 @@ class Study(Generic[Claims]):
             def notify(share: float, text: str) -> None:
                 bar.update(task, completed=share, description=text)
 
-            found = self.compared(out, quick=options.quick, progress=notify)
+            found = self.run(out, quick=options.quick, progress=notify)
         if out == self.pages:
             printed.stamp(out, self.pages.name)
         lines = (*(found.differences or [f"all figures are as expected: {found.summary}"]), f"wrote {out}")

@@ -3,13 +3,13 @@
 import base64
 import platform
 import re
-from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
 import markdown_it
 
 import manipplan as mp
+from studies.printed import Comparison
 
 KINDS = {".png": "image/png", ".svg": "image/svg+xml"}
 #: A heading, a table, or a figure with its description, as written in the pages of the studies.
@@ -42,15 +42,15 @@ def study_text(page: Path) -> str:
     return "\n".join([text, *(re.sub(r"^#", "##", chapter, flags=re.MULTILINE) for chapter in chapters)])
 
 
-def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, differences: Sequence[str]) -> Path:
+def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, found: Comparison) -> Path:
     """Collect the tables and figures that a run wrote to `folder` in report.html there; returns that file.
 
-    `page` is the study's page in the docs, which has the text, `seconds` the duration of the run, and `differences` the
-    differences from the expected results.
+    `page` is the study's page in the docs, which has the text, `seconds` the duration of the run, and `found` what the
+    comparison with the expected results found.
     """
     text = study_text(page)
     title = re.sub(r"[`*]|\{[^}]*\}", "", text.split("\n", 1)[0].lstrip("# "))
-    body = [f"<h1>{escape(title)}</h1>", *_head(page, quick, seconds, differences)]
+    body = [f"<h1>{escape(title)}</h1>", *_head(page, quick, seconds, found)]
     pending: list[str] = []
     for piece in list(PIECE.finditer(text))[1:]:
         if piece["heading"]:
@@ -80,16 +80,16 @@ def write_report(page: Path, folder: Path, *, quick: bool, seconds: float, diffe
     return report
 
 
-def _head(page: Path, quick: bool, seconds: float, differences: Sequence[str]) -> list[str]:
+def _head(page: Path, quick: bool, seconds: float, found: Comparison) -> list[str]:
     command = f"manipplan study {page.stem}{' --quick' if quick else ''}"
     lines = [
         f'<p class="note"><code>{command}</code>: {seconds:.0f} s with manipplan {mp.__version__}, Python '
         f"{platform.python_version()}, {platform.machine()}. The study's page in the documentation explains each table and "
         "figure.</p>"
     ]
-    if not differences:
-        return [*lines, "<p><strong>All figures are as expected.</strong></p>"]
-    items = "".join(f"<li>{escape(line)}</li>" for line in differences)
+    if not found.differences:
+        return [*lines, f"<p><strong>All figures are as expected:</strong> {escape(found.summary)}.</p>"]
+    items = "".join(f"<li>{escape(line)}</li>" for line in found.differences)
     return [*lines, f'<p class="different"><strong>Not as expected:</strong></p><ul class="different">{items}</ul>']
 
 

@@ -498,12 +498,13 @@ def study(paper: Positional[Paper], /, quick: bool = False, out: OptionalFile = 
         raise MissingSourcesError("the studies") from error
     began = time.monotonic()
     with terminal.progress() as notify:
-        wrong = made.run(folder, quick=quick, progress=notify)
+        found = made.run(folder, quick=quick, progress=notify)
     seconds = time.monotonic() - began
-    report = write_report(made.pages.with_suffix(".md"), folder, quick=quick, seconds=seconds, differences=wrong)
-    terminal.show_result("\n".join(wrong or [f"{paper}: all figures are as expected"]), [report])
-    if wrong:
-        raise PlanningError(f"{len(wrong)} figures of {paper} are not as expected; see {report}")
+    report = write_report(made.pages.with_suffix(".md"), folder, quick=quick, seconds=seconds, found=found)
+    told = found.differences or [f"{paper}: all figures are as expected: {found.summary}"]
+    terminal.show_result("\n".join(told), [report])
+    if found.differences:
+        raise PlanningError(f"{len(found.differences)} figures of {paper} are not as expected; see {report}")
 
 
 #: How the robots of each collection become available.

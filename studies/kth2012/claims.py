@@ -2,6 +2,7 @@
 
 import csv
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -74,6 +75,12 @@ def _postures(results: Results) -> list[Claim]:
             _printed(f"Table 5.2, R = {radius:.1f}: {name}", printed, value, 2)
             for name, printed, value in zip(("θ₂", "θ₃", "μ", "κ"), thesis, row, strict=True)
         ]
+    rows = [tables_postures.row_5_2(results, radius)[-1] for radius in config.TABLE_5_2]
+    rises = sum(after >= before for before, after in pairwise(rows))
+    found.append(Claim(text="Table 5.2: rows in which κ rises", thesis="0", value=float(rises), holds=rises == 0))
+    for radius in config.SMALL_RADII:
+        kappa = float(results.at_radius(radius, limited=False).best.inverse_condition[0])
+        found.append(Claim(text=f"R = {radius:g}, no limits: κ of the best posture", thesis="κ decreases with R", value=kappa))
     return found
 
 
@@ -195,9 +202,24 @@ def _global(results: Results) -> list[Claim]:
             value = float(sum(each < 0.99 * turns[0, 0] for each in turns.values()))
             found.append(Claim(text=text, thesis="-", value=value, part=FULL))
     for example, posts in config.POSTS:
-        ratio = results.among(example, posts).g / results.among_optimum(example, posts)[-1]
-        text = f"{example.name} among {len(posts)} of the posts: g by V"
-        found.append(Claim(text=text, thesis="-", value=ratio, holds=ratio < 1 + config.POST_ERROR, part=FULL))
+        values, best = results.among_optimum(example, posts)
+        above, text = results.among(example, posts).g / best - 1, f"{example.name} among {len(posts)} of the posts"
+        found += [
+            Claim(
+                text=f"{text}: above the global optimum, share",
+                thesis="global optimality",
+                value=above,
+                holds=abs(above) < config.NEAR,
+                part=FULL,
+            ),
+            Claim(
+                text=f"{text}: V above it, share",
+                thesis="-",
+                value=values[-1] / best - 1,
+                holds=abs(values[-1] / best - 1) < config.POST_ERROR,
+                part=FULL,
+            ),
+        ]
     for power in (config.TABLE_POWER, config.TEXT_POWER):
         pairs = results.pairs(power)
         for each in tables_global.ABOVE:

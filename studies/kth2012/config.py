@@ -24,6 +24,7 @@ TABLE_5_2 = {
     2.6: (0.47, 0.80, 2.30, 0.22),
     3.0: (0.00, 0.00, 0.00, 0.00),
 }
+SMALL_RADII = (0.05, 0.25, 0.5)  # below those of Table 5.2; without limits
 FIGURE_5_4_RADIUS = 2.15
 FIGURE_5_5_RADII = (0.0, 0.75, 1.5, 2.25, 3.0)
 FIGURE_5_8_RADII = (1.4, 2.2)  # "two different radii"; the thesis does not name them
@@ -70,7 +71,8 @@ PROVEN_LINKS = 4  # largest number of links for which all stationary postures ar
 POSTURE_STARTS = 60  # random starts for more links
 TWO_LINKS = PlanarArm([1.0, 1.0])
 TWO_LINK_ENDS = ((0.0, 0.4), (2.0, 2.5))  # [rad]; for the check in closed form
-OBSTACLE_DEGREE, FIRST_PATHS = 8, 4
+OBSTACLE_DEGREE, FIRST_PATHS = 12, 4
+LOW_DEGREE = 8  # ends in another class among the two posts of (6.10)
 LINK_RADIUS, POST_RADIUS, CLEARANCE = 0.05, 0.1, 0.005  # [m]
 REACH = LINK_RADIUS + POST_RADIUS + CLEARANCE  # smallest distance of a link's axis from a post's [m]
 #: Posts in the way of the free optimum, (x, y) [m].
@@ -84,7 +86,11 @@ POSTS = (
 # The global optimum by fast marching: grid steps [rad] without posts and among them; the pairs of postures are random.
 MARCH_STEPS, POST_STEPS, PAIR_STEP, SHIFT_STEP = (0.1, 0.05, 0.035), (0.1, 0.07), 0.07, 0.1
 PAIR_STARTS, PAIR_GOALS = 5, 20
-#: The optimiser's path counts as the global optimum up to this share; with posts, whose outlines are those of the grid.
-NEAR, POST_ERROR = 1e-3, 0.02
+#: The optimiser's path counts as the global optimum up to this share.
+NEAR = 1e-3
+#: Among posts V falls by up to this share as the grid is refined further, because its postures leave room to the posts.
+POST_ERROR = 0.02
+#: Number of straight pieces of the polyline among posts.
+POLYLINE_PIECES = 400
 #: Curves count as approximately the same up to this distance [rad].
 ALIKE = 0.1

@@ -14,6 +14,7 @@ from studies.kth2012 import classes, config, eikonal
 from studies.kth2012.classes import Walk
 from studies.kth2012.config import ARM, Example
 from studies.kth2012.geodesics import Geodesic, geodesic
+from studies.kth2012.polylines import polyline_among
 from studies.kth2012.starts import best_of_random_starts
 
 Array = NDArray[np.float64]
@@ -172,7 +173,9 @@ class Results:
 
         return self.once(("shifted", example), run)
 
-    def among(self, example: Example, posts: tuple[tuple[float, float], ...]) -> mp.results.PathResult:
+    def among(
+        self, example: Example, posts: tuple[tuple[float, float], ...], degree: int = config.OBSTACLE_DEGREE
+    ) -> mp.results.PathResult:
         """The best path found among posts."""
 
         def run() -> mp.results.PathResult:
@@ -181,14 +184,14 @@ class Results:
                 self.robot,
                 example.start,
                 example.goal,
-                shape=mp.PathShape(degree=config.OBSTACLE_DEGREE),
+                shape=mp.PathShape(degree=degree),
                 objective=mp.PathObjective(power=config.TABLE_POWER, floor=0.0),
                 scene=mp.Scene(post),
                 clearance=config.CLEARANCE,
                 seeding=mp.Seeding(count=config.FIRST_PATHS),
             )
 
-        return self.once(("among", example, posts), run)
+        return self.once(("among", example, posts, degree), run)
 
     def shifted_goal(self, example: Example) -> Array:
         """The goal of the best path over goals that differ by full turns of θ_2 and θ_3, p = 2."""
@@ -224,17 +227,17 @@ class Results:
 
         return self.once(("turns", example, power), run)
 
-    def among_optimum(self, example: Example, posts: tuple[tuple[float, float], ...]) -> tuple[float, ...]:
-        """V at the goal among posts, by grid step."""
+    def among_optimum(self, example: Example, posts: tuple[tuple[float, float], ...]) -> tuple[tuple[float, ...], float]:
+        """V at the goal among posts, by grid step, and g of the polyline that the way back leads to."""
 
-        def run() -> tuple[float, ...]:
-            found = []
-            for step in config.POST_STEPS:
-                field = eikonal.solve(
-                    ARM, example.start, [example.goal], config.TABLE_POWER, step, posts=posts, reach=config.REACH
-                )
-                found.append(float(field(np.array(example.goal))[0]))
-            return tuple(found)
+        def run() -> tuple[tuple[float, ...], float]:
+            goal, power = np.array(example.goal), config.TABLE_POWER
+            fields = [
+                eikonal.solve(ARM, example.start, [goal], power, step, posts=posts, reach=config.REACH)
+                for step in config.POST_STEPS
+            ]
+            best = polyline_among(ARM, fields[0].back(goal), power, posts, config.REACH, config.POLYLINE_PIECES)
+            return tuple(float(field(goal)[0]) for field in fields), best
 
         return self.once(("global among", example, posts), run)
 

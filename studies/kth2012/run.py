@@ -31,10 +31,10 @@ def stages(results: Results, out: Path, found: list[claims.Claim]) -> list[comma
         ("proportions", 3.5, lambda: written(tables_postures.proportions_table(results))),
         ("goals by full turns", 3.0, lambda: written(tables_beyond.torus_table(results), tables_beyond.shifts_table(results))),
         ("convergence", 4.0, lambda: written(tables_beyond.convergence_table(results), tables_beyond.two_links_table(results))),
-        ("posts", 6.0, lambda: written(tables_beyond.obstacles_table(results))),
+        ("posts", 25.0, lambda: written(tables_beyond.obstacles_table(results))),
         ("more links", 3.0, lambda: written(tables_beyond.links_table(results))),
         ("global optimum", 60.0, lambda: written(tables_global.global_table(results), tables_global.turns_table(results))),
-        ("global optimum among posts", 40.0, lambda: written(tables_global.global_posts_table(results))),
+        ("global optimum among posts", 90.0, lambda: written(tables_global.global_posts_table(results))),
         ("random pairs", 60.0, lambda: written(tables_global.pairs_table(results))),
     ]
     return [

@@ -58,15 +58,18 @@ def _turn(shift: tuple[int, int]) -> str:
 
 
 def global_posts_table(results: Results) -> Table:
-    """V among posts by grid step, and the study's path."""
+    """V among posts by grid step, the polyline that it leads to, and the study's path."""
     rows = []
     for example, posts in config.POSTS:
-        values, ours = results.among_optimum(example, posts), results.among(example, posts).g
-        share = f"{100 * (ours / values[-1] - 1):+.1f}"
+        (values, best), ours = results.among_optimum(example, posts), results.among(example, posts).g
+        low = results.among(example, posts, config.LOW_DEGREE).g
         places = ", ".join(f"({x:g}, {y:g})" for x, y in posts)
-        rows.append((example.name, places, *(f"{each:.3f}" for each in values), f"{ours:.4f}", share))
+        paths = (f"{best:.4f}", f"{low:.4f}", f"{ours:.4f}", f"{ours / best - 1:.1e}")
+        rows.append((example.name, places, *(f"{each:.3f}" for each in values), *paths))
     steps = tuple(f"V, step {each:g} rad" for each in config.POST_STEPS)
-    return Table.of("global_posts", ("example", "posts at [m]", *steps, "optimiser", "above V [%]"), rows)
+    degrees = (f"optimiser, degree {config.LOW_DEGREE}", f"degree {config.OBSTACLE_DEGREE}")
+    head = ("example", "posts at [m]", *steps, "its path, polished", *degrees, "above it, share")
+    return Table.of("global_posts", head, rows)
 
 
 def pairs_table(results: Results) -> Table:

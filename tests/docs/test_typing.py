@@ -17,9 +17,9 @@ HOW_TOS = [
     *sorted((ROOT / "docs" / "howto").glob("*.md")),
     *(ROOT / "docs" / "tutorials" / f"{name}.md" for name in ("cell", "weld", "teleoperation")),
 ]
-#: Commands that check a file. basedpyright is pyright as a wheel, with its own Node.
+#: Commands that check a file. basedpyright is pyright as a wheel, with its own Node. Runs of mypy share what they know of packages.
 CHECKERS = {
-    "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file="],
+    "mypy": [sys.executable, "-m", "mypy", "--strict", "--config-file=", f"--cache-dir={os.environ['MANIPPLAN_CACHE']}/mypy"],
     "pyright": [sys.executable, "-m", "basedpyright", "--pythonpath", sys.executable, "--level", "error"],
 }
 #: With throw=False a plan may be incomplete, so its trajectory may be None.

@@ -18,6 +18,7 @@ def arm():
     return Arm()
 
 
+@pytest.mark.long  # the whole study runs the same stages
 def test_the_quick_study_makes_what_is_expected(tmp_path):
     assert run.STUDY.main(["--quick", "--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.glob("*.png")} == {

@@ -15,6 +15,7 @@ from studies.report import study_text
 FIGURES = {"circle.png", "line.png", "index.png", "search.png", "sampling.png", "joints.png"}
 
 
+@pytest.mark.long  # the whole study runs the same stages
 def test_the_quick_study_makes_what_is_expected(tmp_path):
     assert run.STUDY.main(["--quick", "--out", str(tmp_path)]) == []
     assert {file.name for file in tmp_path.glob("*.png")} == FIGURES

@@ -114,13 +114,18 @@ def test_a_number_that_differs_is_told(study, table, row, column, share, told, t
     assert all(table in line for line in found.differences)
 
 
-def test_a_table_that_was_not_made_is_told(tmp_path):
+def test_a_table_that_was_not_made_or_is_shorter_is_told(tmp_path):
     made = tmp_path / "kth2012"
     shutil.copytree(kth.PAGES, made)
     (made / "links.csv").unlink()
-    found = printed.compare(made, kth.PAGES)
-    assert found.left_out == ["links"]
-    assert "links" in found.summary
+    (made / "torus.csv").write_text("".join((kth.PAGES / "torus.csv").read_text().splitlines(keepends=True)[:-1]))
+    found = printed.compare(made, kth.PAGES, quick=True)
+    assert found.differences == []
+    assert found.left_out == ["links", "torus"]
+    assert "tables left out by --quick: links, torus" in found.summary
+    whole = printed.compare(made, kth.PAGES)
+    assert whole.differences == ["links: not made", "torus: other rows or columns"]
+    assert whole.left_out == []
 
 
 def test_numbers_of_a_cell():
