@@ -13,7 +13,6 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import fuzz_loaders
 from fuzz.loaders import LOADERS, Loader
 
-
 #: Number of edited files of each loader; `make fuzz` reads 10,000.
 COUNT = 60
 
