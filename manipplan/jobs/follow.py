@@ -55,6 +55,12 @@ SPARES = (1e-4, SPARE_CLEARANCE)
 TIMING = 0.95
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
+#: A tolerance is wide, and searched as a region about each pose, from this distance [m] or angle [rad] on.
+WIDE = Tolerance(position=1e-3, rotation=0.01)
+#: Share of a wide tolerance inside which its region is.
+REGION = 0.85
+#: Number of rows of a task that leaves nothing free.
+ROWS_OF_POSE = 6
 
 
 @overload
@@ -182,7 +188,8 @@ def follow(
         samples: number of grid points of the redundancy; see `sample_layers`. On an arm with a closed form and one degree of
             redundancy more are added where joints of neighbouring ones differ by more than 0.05.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
-            met exactly; a tolerance that gives only one of the two has the default for the other.
+            met exactly; a tolerance that gives only one of the two has the default for the other. From 1 mm or 0.01 rad on a
+            second search takes a box inside it about each pose, as `Task.within` does, and the better motion is returned.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 0.1 mm more, for the
             motion between them, or 3 mm where that is too little.
         closed: the path returns to its start, and the motion to its first configuration.
@@ -259,13 +266,13 @@ def follow(
         q_start = scene.collision_model(robot).free_configuration("start", given, clearance)
         taken = taken_to_limits(robot, "start", given)
 
-    def attempt(spare: float) -> Plan | PartialPlan:
-        """The motion whose positions keep a distance beyond the clearance."""
+    def attempt(spare: float, say: Progress, task: Task | None, within: Tolerance | None) -> Plan | PartialPlan:
+        """The motion whose positions keep a distance beyond the clearance, for a task and a tolerance of the search."""
         layers = sample_layers(
             robot,
             path,
             positions if positions is not None else choose_positions(path, closed=closed),
-            task=objective.task,
+            task=task,
             measure=objective.measure,
             samples=samples,
             scene=scene,
@@ -279,7 +286,7 @@ def follow(
             progress=until(deadline, part(say, 0.0, 0.4)),
         )
         planner = ToolPathPlanner(
-            path=path, layers=layers.inside(robot.limits), tolerance=tolerance, samples=samples, deadline=deadline
+            path=path, layers=layers.inside(robot.limits), tolerance=within, samples=samples, deadline=deadline
         ).at_speed(demand)
         sampler = layers.sampler
         assert sampler is not None
@@ -290,6 +297,8 @@ def follow(
             raise InvalidInputError("objective", sampler.kinematics.task.name, wanted)
 
         kinematics = sampler.kinematics
+        if task is not objective.task:  # the tool is compared with the poses themselves
+            kinematics = robot.kinematics(objective.task or Task.pose(), measure=objective.measure, threads=1)
         floor = floor_of(kinematics, objective.floor)
         integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
         allowed = with_defaults(tolerance)
@@ -410,19 +419,64 @@ def follow(
             amend=compare_with_path,
         )
 
+    def search(say: Progress, task: Task | None, within: Tolerance | None) -> Plan | PartialPlan:
+        """The motion, with more distance where it touches bodies between positions that nearly touch them."""
+        followed = attempt(SPARES[0], say, task, within)
+        report = followed.report
+        if report is not None and not (report.passed or report.collision_free or deadline.passed):
+            with suppress(InvalidInputError, OutOfTimeError):
+                followed = attempt(SPARES[1], say, task, within)
+        return followed
+
+    wide = None if tolerance is None or robot.planar else _task_within(objective.task or Task.pose(), tolerance)
+    first, second = (say, say) if wide is None else (part(say, 0.0, 0.5), part(say, 0.5, 1.0))
     try:
-        followed = attempt(SPARES[0])
+        followed = search(first, objective.task, tolerance)
     except OutOfTimeError:
         nothing = PartialPlan(
             robot=robot, scene=scene, status=Status.NOT_IN_TIME, workspace_path=path, tolerance=with_defaults(tolerance)
         )
         return failed(nothing, throw, limit.missed("motion along the path"))
-    report = followed.report
-    if report is not None and not (report.passed or report.collision_free or deadline.passed):
-        # a motion may touch bodies between positions that nearly touch them
-        with suppress(InvalidInputError, OutOfTimeError):
-            followed = attempt(SPARES[1])
+    except InvalidInputError as error:
+        if wide is None:
+            raise
+        try:
+            followed = search(second, wide, None)
+        except (InvalidInputError, OutOfTimeError):
+            raise error from None
+    else:
+        if wide is not None and not deadline.passed:
+            with suppress(InvalidInputError, OutOfTimeError):
+                followed = _better(followed, search(second, wide, None))
     return followed if followed.status.has_path else failed(followed, throw, followed.message)
+
+
+def _task_within(task: Task, tolerance: Tolerance) -> Task | None:
+    """The task with a region about each pose inside a wide tolerance; None for narrow ones and other kinds of tasks."""
+    wide = []
+    for given, least in ((tolerance.position, WIDE.position), (tolerance.rotation, WIDE.rotation)):
+        assert least is not None
+        wide.append(REGION * given if given is not None and given >= least else 0.0)
+    position, rotation = wide[0] / np.sqrt(3), min(wide[1], np.pi)
+    if task.region is not None or not (position or rotation):
+        return None
+    if task.rows == ROWS_OF_POSE:
+        return task.within(position=position, rotation=rotation / np.sqrt(3))
+    if task.rows == ROWS_OF_POSE - 1 and task.free_axis is not None:
+        return task.within(position=position, cone=rotation, axis=task.free_axis)
+    return None
+
+
+def _better(followed: Plan | PartialPlan, other: Plan | PartialPlan) -> Plan | PartialPlan:
+    """The motion that passed its checks with fewer parts, or of as many with the larger minimum manipulability."""
+
+    def rank(plan: Plan | PartialPlan) -> tuple[bool, int, float]:
+        report = plan.report
+        if report is None or not (plan.status.has_path and report.passed):
+            return (False, 0, 0.0)
+        return (True, -len(report.along), report.min_manipulability)
+
+    return other if rank(other) > rank(followed) else followed
 
 
 def _time(

@@ -266,6 +266,66 @@ def test_a_tolerance_of_rotation_alone_leaves_the_position_as_it_is(panda, start
     assert angles(poses[:, :3, :3], start[:3, :3]).max() > 0.01
 
 
+def wave_of(robot, q):
+    """A wave of the tool, 28 cm long, from where it is at q."""
+    poses = np.repeat(robot.kinematics(mp.Task.pose()).pose(q)[None], 60, axis=0)
+    u = np.linspace(0, 1, 60)
+    poses[:, :3, 3] += 0.28 * (np.outer(u, [0.0, 1.0, 0.0]) + 0.15 * np.outer(np.sin(4 * np.pi * u), [0.6, 0.0, 0.8]))
+    return mp.CartesianPath.through(poses)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("begins", ["where it is best", "at a start"])
+@pytest.mark.parametrize("arm", ["panda", "ur5"])
+def test_a_wide_tolerance_is_searched(arm, begins, request):
+    """By the judge the tool keeps it, and the minimum is at least that of the path itself and of the box about its poses."""
+    robot = request.getfixturevalue(arm)
+    if arm == "ur5":
+        robot = robot.with_limits(lower=-np.pi, upper=np.pi)
+    task = mp.Task.pose() if arm == "panda" else mp.Task.pointing([0, 0, 1])
+    q = np.array([0, -0.5, 0, -2.2, 0, 1.8, 0.7] if arm == "panda" else [0.2, -1.4, 1.9, -2.0, -1.5, 0.3])
+    path, tube = wave_of(robot, q), mp.Tolerance(position=0.01, rotation=0.08)
+    start, objective = None if begins == "where it is best" else q, mp.PathObjective(task=task)
+    plan = mp.follow(robot, path, start=start, objective=objective, tolerance=tube)
+    exact = mp.follow(robot, path, start=start, objective=objective)
+    box = {"rotation": 0.85 * 0.08 / np.sqrt(3)} if arm == "panda" else {"cone": 0.85 * 0.08}
+    region = mp.PathObjective(task=task.within(position=0.0085 / np.sqrt(3), **box))
+    assert plan.report.passed and plan.tolerance == tube
+    assert plan.report.min_manipulability >= (1.01 if start is None else 1.0) * exact.report.min_manipulability
+    assert (
+        plan.report.min_manipulability
+        >= 0.999 * mp.follow(robot, path, start=start, objective=region).report.min_manipulability
+    )
+    data, frame = robot.model.createData(), robot.model.getFrameId(robot.tool, pin.FrameType.BODY)
+    [part] = plan.report.along
+    for share in np.linspace(0.0, 1.0, 300):
+        s = part.begin + share * (part.end - part.begin)
+        pin.forwardKinematics(robot.model, data, plan.trajectory(s))
+        tool = pin.updateFramePlacement(robot.model, data, frame).homogeneous
+        near = path(np.linspace(0, 1, 2000))
+        off = np.linalg.norm(near[:, :3, 3] - tool[:3, 3], axis=1) / 0.01
+        turned = (
+            angles(near[:, :3, :3], tool[:3, :3]) if arm == "panda" else np.arccos(np.clip(near[:, :3, 2] @ tool[:3, 2], -1, 1))
+        )
+        assert np.maximum(off, turned / 0.08).min() < 1.01
+
+
+@pytest.mark.slow
+def test_a_wide_tolerance_reaches_a_path_that_is_a_little_too_far(panda):
+    begin = panda.kinematics().pose(np.array([0.0, 0.8, 0.0, -0.4, 0.0, 1.2, 0.78]))
+    while len(mp.inverse_kinematics(panda, begin).q):
+        begin[0, 3] += 0.002
+    end = begin.copy()
+    end[1, 3] += 0.02
+    path = mp.CartesianPath.line(begin, end)
+    with pytest.raises(mp.errors.OutOfReachError):
+        mp.follow(panda, path)
+    with pytest.raises(mp.errors.OutOfReachError):
+        mp.follow(panda, path, tolerance=mp.Tolerance(position=0.001))
+    plan = mp.follow(panda, path, tolerance=mp.Tolerance(position=0.02, rotation=0.05))
+    assert plan.report.passed and plan.deviation.position < 0.02
+
+
 @pytest.mark.slow
 def test_an_obstacle_beside_the_path_is_missed_by_the_clearance(panda, start, line):
     """A ball where the free plan's elbow passes."""
