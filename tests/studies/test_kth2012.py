@@ -42,7 +42,7 @@ def test_the_quick_study_makes_what_is_expected(tmp_path, capsys):
 def test_differences_are_told_in_report_and_exit_code(tmp_path, capsys, monkeypatch):
     made = replace(run.STUDY, make=lambda _out, _quick, _tell: [], differences=lambda _found, _quick: ["Table <6.1>: 2, not 3"])
     monkeypatch.setattr(run, "STUDY", made)
-    assert cli.main(["study", "kth2012", "--out", str(tmp_path)]) == 1
+    assert cli.main(["study", "kth2012", "--quick", "--out", str(tmp_path)]) == 1
     assert "1 figures of kth2012 are not as expected" in capsys.readouterr().err
     assert "Table &lt;6.1&gt;: 2, not 3" in (tmp_path / "report.html").read_text()
 
