@@ -14,6 +14,7 @@ from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, idle_hint
 from manipplan.goals.read import read_configuration
+from manipplan.ik.form import closed_form
 from manipplan.jobs.plan import plan
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
@@ -189,7 +190,8 @@ def follow(
             redundancy more are added where joints of neighbouring ones differ by more than 0.05.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other. From 1 mm or 0.01 rad on a
-            second search takes a box inside it about each pose, as `Task.within` does, and the better motion is returned.
+            second search takes a box inside it about each pose, as `Task.within` does, and the better motion is returned. It
+            takes minutes on arms without closed-form inverse kinematics, where it is made only if the first finds no motion.
         clearance: distance [m] to keep from obstacles and between the arm's own links. The positions keep 0.1 mm more, for the
             motion between them, or 3 mm where that is too little.
         closed: the path returns to its start, and the motion to its first configuration.
@@ -445,7 +447,8 @@ def follow(
         except (InvalidInputError, OutOfTimeError):
             raise error from None
     else:
-        if wide is not None and not deadline.passed:
+        has_motion = followed.status.has_path
+        if wide is not None and not deadline.passed and not (has_motion and closed_form(robot) is None):
             with suppress(InvalidInputError, OutOfTimeError):
                 followed = _better(followed, search(second, wide, None))
     return followed if followed.status.has_path else failed(followed, throw, followed.message)
@@ -463,7 +466,9 @@ def _task_within(task: Task, tolerance: Tolerance) -> Task | None:
     if task.rows == ROWS_OF_POSE:
         return task.within(position=position, rotation=rotation / np.sqrt(3))
     if task.rows == ROWS_OF_POSE - 1 and task.free_axis is not None:
-        return task.within(position=position, cone=rotation, axis=task.free_axis)
+        least_cone = with_defaults(tolerance).rotation
+        assert least_cone is not None
+        return task.within(position=position, cone=rotation or REGION * min(least_cone, np.pi), axis=task.free_axis)
     return None
 
 

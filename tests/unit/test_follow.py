@@ -311,6 +311,15 @@ def test_a_wide_tolerance_is_searched(arm, begins, request):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("tube", [mp.Tolerance(position=0.01), mp.Tolerance(rotation=0.1)], ids=["position", "rotation"])
+def test_a_wide_tolerance_of_one_part_with_a_free_axis(panda, line, tube):
+    objective = mp.PathObjective(task=mp.Task.pointing([0, 0, 1]))
+    plan = mp.follow(panda, line, positions=4, objective=objective, tolerance=tube)
+    assert plan.report.passed
+    assert plan.deviation.excess(mp.Tolerance(position=tube.position or 1e-4, rotation=tube.rotation or 1e-3), "time") == ""
+
+
+@pytest.mark.slow
 def test_a_wide_tolerance_reaches_a_path_that_is_a_little_too_far(panda):
     begin = panda.kinematics().pose(np.array([0.0, 0.8, 0.0, -0.4, 0.0, 1.2, 0.78]))
     while len(mp.inverse_kinematics(panda, begin).q):
