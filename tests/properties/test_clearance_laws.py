@@ -81,6 +81,7 @@ def test_distance_on_an_interval_stays_above_its_bounds(arm, seed, size):
     assert (bounds[known] <= along.min(axis=0)[known] + SLACK).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["cloud", "mesh"])
 def test_distance_to_a_surface_stays_above_its_bound(panda, rng, kind):
     """All that is behind one of a few planes, or too far away, stays away: on intervals near a surface the proof succeeds so."""

@@ -169,6 +169,7 @@ def test_a_joint_held_anywhere(seed):
     assert found_again(robot, q, [q[place]], [f"joint{place + 1}"])
 
 
+@pytest.mark.slow
 @examples(25)
 @given(seed=seeds)
 def test_scaling_lengths_leaves_the_answers(seed):
@@ -186,6 +187,7 @@ def test_scaling_lengths_leaves_the_answers(seed):
     assert max(nearest) < 1e-6
 
 
+@pytest.mark.slow
 @examples(50)
 @given(seed=seeds)
 def test_a_turn_of_the_base_joint_turns_the_first_angle(seed):

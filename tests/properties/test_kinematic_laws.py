@@ -33,6 +33,7 @@ def test_pose_and_jacobian_equal_pinocchio(seed, prismatic, data):
     np.testing.assert_allclose(ours.mass_matrix(q), upper + np.triu(upper, 1).T, atol=1e-11 * max(1.0, np.abs(upper).max()))
 
 
+@pytest.mark.slow
 @few
 @given(seeds, kinds(6), placements(), st.sampled_from([POSE, mp.Task.position(), mp.Task.orientation()]), st.data())
 def test_manipulability_does_not_depend_on_where_the_base_stands(seed, prismatic, base, task, data):

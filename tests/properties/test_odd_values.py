@@ -152,6 +152,7 @@ def public_functions():
                         yield f"{prefix}{name}.{member}", method
 
 
+@pytest.mark.slow
 def test_every_public_function_is_called(calls):
     left = []
     for name, function in public_functions():

@@ -142,6 +142,7 @@ def conditioned(robot, q):
     return np.linalg.svd(robot.kinematics().jacobian(q))[1][-1]
 
 
+@pytest.mark.slow
 @examples(10)
 @given(seeds, kinds(6, 8))
 def test_a_stiff_tracker_without_drive_is_the_pseudo_inverse(seed, prismatic):

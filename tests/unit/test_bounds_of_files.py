@@ -39,6 +39,7 @@ def test_files_of_the_review_are_refused_within_seconds(tmp_path, name):
     assert "refused" in (tmp_path / "table.md").read_text()
 
 
+@pytest.mark.slow
 def test_what_takes_too_much_is_seen(tmp_path, monkeypatch):
     monkeypatch.setattr(file_bombs, "STOP", 1.0)
     monkeypatch.setitem(file_bombs.READERS, "cloud", "time = __import__('time'); time.sleep(60)")

@@ -116,6 +116,7 @@ def test_robots_with_a_torso_carry_and_hold_it_still(name):
     np.testing.assert_allclose(plan.trajectory.q[:, shared] - q[shared], 0.0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_default_takes_few_samples_where_each_is_a_search(baxter):
     for robot, few in ((baxter, True), (mp.load_robot("tiago_dual"), False)):
         for tool in robot.tools:
@@ -123,6 +124,7 @@ def test_the_default_takes_few_samples_where_each_is_a_search(baxter):
             assert (_count(lone) < 50) is few
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("grasps", "message"),
     [

@@ -164,6 +164,7 @@ def reverse(motion):
     return replace(motion, t=motion.duration - motion.t[::-1], q=motion.q[::-1], qd=-motion.qd[::-1])
 
 
+@pytest.mark.slow
 def test_the_tool_is_compared_with_its_path(six, seam):
     path, motion = seam
     report = mp.check(six, motion, path=path)
@@ -177,6 +178,7 @@ def test_the_tool_is_compared_with_its_path(six, seam):
     assert report.deviation.position == pytest.approx(off.max(), abs=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("spoil", "message"),
     [
@@ -193,6 +195,7 @@ def test_a_tool_beside_its_path_is_told(six, seam, spoil, message):
     assert any(fault.startswith(message) for fault in report.faults), report.faults
 
 
+@pytest.mark.slow
 def test_a_free_axis_and_a_wide_tolerance(six, seam):
     path, motion = seam
     turned = replace(motion, q=motion.q + [0, 0, 0, 0, 0, 0.5])
@@ -241,6 +244,7 @@ def test_reports_have_a_way_back(six, seam, arm, motion, demo_plan, tmp_path):
         assert again == report and type(again) is type(report)
 
 
+@pytest.mark.slow
 def test_a_plan_cannot_have_another_trajectory(demo_plan, tmp_path):
     slow = demo_plan.trajectory.slower(2.0)
     with pytest.raises(

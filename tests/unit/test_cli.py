@@ -250,6 +250,7 @@ def test_check_tells_by_its_exit_code_whether_a_motion_passes(arm_file, motion_f
     assert main(["check", str(tmp_path / "saved"), *arguments[2:]]) == 0
 
 
+@pytest.mark.slow
 def test_check_compares_the_tool_with_poses(six_file, seam, tmp_path, capsys):
     robot, file = mp.load_robot(six_file), tmp_path / "motion.npz"
     mp.follow(robot, mp.CartesianPath.from_csv(seam), positions=3, epsilon=0.8).trajectory.to_npz(file)
@@ -294,6 +295,7 @@ def test_check_refuses_what_is_no_motion(arm_file, six_file, motion_file, tmp_pa
         assert message in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_study_outside_its_sources_tells_where_they_are(tmp_path):
     """As for somebody who installed the package alone: `studies` is not on the path."""
     root = Path(mp.__file__).parents[1]
@@ -393,6 +395,7 @@ def test_the_help_says_what_is_wanted(command, capsys):
     assert not re.search(r"\{None\}\|(PATH|STR|FLOAT|INT)|\bPATH\b|\[STR", told)
 
 
+@pytest.mark.slow
 def test_doctor_lists_every_extra_and_runs_its_tests(capsys, monkeypatch):
     project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"]
     assert set(doctor.EXTRAS) == set(project["optional-dependencies"]) - {"docs", "dev"}
@@ -415,6 +418,7 @@ def test_doctor_lists_every_extra_and_runs_its_tests(capsys, monkeypatch):
     assert told.count("pip install 'manipplan[viewer]'") == 1
 
 
+@pytest.mark.slow
 def test_output_that_is_not_read_to_its_end_is_no_error():
     code = "import sys; sys.argv = ['manipplan', 'robots']; from manipplan.cli import run; run()"
     line = f"{shlex.quote(sys.executable)} -c {shlex.quote(code)} | true"

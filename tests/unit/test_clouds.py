@@ -328,6 +328,7 @@ def test_packed_numbers_that_are_refused():
             unpack_array(data)
 
 
+@pytest.mark.slow
 def test_pictures_hold_few_of_many_points(tmp_path):
     import matplotlib
 

@@ -105,6 +105,7 @@ def test_several_processes_build_at_once(folder):
     assert len(list(folder.iterdir())) == 2
 
 
+@pytest.mark.slow
 def test_a_killed_build_leaves_nothing_that_is_used(folder, compiler):
     """The compiler is killed with its process group half way through writing the library."""
     compiler('for last; do :; done\nwhile [ "$1" != -o ]; do shift; done\necho half > "$2"\nsleep 60\n')
@@ -341,6 +342,7 @@ def gone(file):
 HANG = "sleep 300 & echo $! > {child}\nwait\n"
 
 
+@pytest.mark.slow
 def test_a_build_that_hangs_is_given_up_with_its_children(folder, compiler, short_limits, tmp_path):
     child = tmp_path / "child"
     compiler(HANG.format(child=child))
@@ -385,6 +387,7 @@ def test_a_compiler_that_never_tells_its_version_is_given_up(folder, monkeypatch
         find_compiler.cache_clear()
 
 
+@pytest.mark.slow
 def test_an_interrupt_stops_the_compiler_and_its_children(folder, compiler, tmp_path, sigint):
     child = tmp_path / "child"
     compiler(HANG.format(child=child))

@@ -65,6 +65,7 @@ def test_a_path_keeps_its_aspect_where_it_can():
     assert NARROW.path_clearance(arm, path).proven
 
 
+@pytest.mark.slow
 def test_two_crossings_more_are_taken_where_none_is_not_enough():
     arm = two_links([-3.0, -2.6], [3.0, 1.6])
     path = mp.seed_path(arm, *ENDS, NARROW, fewest_crossings=True)

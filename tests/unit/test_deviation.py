@@ -294,6 +294,7 @@ def shape_of(kind, rng):
     return CartesianPath.line(START, END if kind == "line" else turned(START, [0.3, 1.0, 0.2]))
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(
     st.sampled_from(SHAPES),

@@ -94,6 +94,7 @@ def test_notebooks_show_pictures(planar, panda):
         assert 3_000 < len(page.picture) < 300_000
 
 
+@pytest.mark.slow
 def test_a_plan_tells_its_figures_in_a_line_and_its_report_in_notebooks(panda):
     plan = mp.plan(panda, panda.neutral, panda.neutral + 0.1)
     assert repr(plan) == f"Plan('panda', {plan.status.name}, {plan.report.summary})" and "all checks passed" in repr(plan)

@@ -166,6 +166,7 @@ def test_the_exported_controller_is_python_s_step_by_step(arm, tmp_path, case):
     exported.close()
 
 
+@pytest.mark.slow
 def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_path):
     exported = Exported(Controller(arm, mp.formulations.LogDrive(), dt=DT, compiled=False), tmp_path)
     pose, zero, tube = np.array(arm.kinematics().pose(Q)), np.zeros(3), [1e12, 1e12]
@@ -182,6 +183,7 @@ def test_the_exported_controller_tells_a_bad_target_and_a_bad_state(arm, tmp_pat
     exported.close()
 
 
+@pytest.mark.slow
 def test_two_exported_controllers_do_not_share_what_they_learn(arm, tmp_path):
     controller = Controller(arm, QuasiNewton(10.0, "bfgs"), dt=DT, compiled=False)
     first = Exported(controller, tmp_path)

@@ -108,6 +108,7 @@ def test_what_another_thread_drops_is_freed_when_the_block_ends():
     assert not expressions._turn.unused
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
 def test_a_child_makes_its_own_while_a_thread_of_its_parent_does():
     program = """
@@ -134,6 +135,7 @@ thread.join()
     subprocess.run([sys.executable, "-W", "ignore", "-c", program], check=True, timeout=60)
 
 
+@pytest.mark.slow
 def test_expressions_that_are_left_when_the_process_ends_say_nothing():
     program = (
         "import sys, casadi as ca, manipplan as mp; sys.left = [ca.SX.sym('x'), mp.planar_arm([1.0, 1.0, 1.0]).kinematics()]"

@@ -58,6 +58,7 @@ def test_the_camera_sees_all_points_and_no_more_than_it_needs(seed, wide):
         assert np.abs(seen).max() == pytest.approx(render.FILLED, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_a_box_is_drawn_where_it_is():
     robot = mp.load_robot("panda")
     box = mp.Box(size=(0.06, 0.06, 0.06), position=(0.3, -0.5, 0.8))
@@ -74,6 +75,7 @@ def test_a_box_is_drawn_where_it_is():
     assert rows.mean() == pytest.approx((1 - y) / 2 * size[1], abs=2.0)
 
 
+@pytest.mark.slow
 def test_a_film_has_its_frames_and_a_dark_one_is_dark(reach_plan, tmp_path):
     done = []
     viz.film(reach_plan, tmp_path / "film.webp", width=300, fps=3, speed=1.0, progress=lambda share, _: done.append(share))
@@ -91,6 +93,7 @@ def test_a_film_has_its_frames_and_a_dark_one_is_dark(reach_plan, tmp_path):
         assert (np.abs(dark - 255 * np.array(style.rgb(colour))).max(axis=2) < 12).sum() > 30
 
 
+@pytest.mark.slow
 def test_a_plan_that_stays_where_it_is_is_filmed_too(tmp_path):
     robot = mp.load_robot("ur5")
     q = [0.3, -1.2, 1.4, -1.5, -1.3, 0.2]
@@ -119,6 +122,7 @@ def test_what_cannot_be_filmed_is_said_before_anything_is_rendered(reach_plan, p
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_meshes_have_the_colours_of_their_files():
     bodies = appearance_of(mp.load_robot("panda")).bodies
     named = {body.name for body in bodies}
@@ -137,6 +141,7 @@ def nearest_apart(points, others):
     return cKDTree(others).query(points)[0].max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("robot", "body", "most"), [("baxter", "pedestal_0", 2500), ("ur5", "forearm_link_0", 1000)])
 def test_a_mesh_with_fewer_triangles_has_no_part_missing(robot, body, most):
     geometry, _ = visual_geometry(mp.load_robot(robot))
@@ -195,6 +200,7 @@ def test_a_colour_that_cannot_be_read_is_none_and_costs_no_triangle(tmp_path: Pa
     np.testing.assert_allclose(np.concatenate([part for _, part in parts]), unit * triangles)
 
 
+@pytest.mark.slow
 def test_without_egl_the_remedy_is_told(reach_plan, tmp_path):
     """In a process that finds no driver of EGL, as on a machine without its packages."""
     reach_plan.save(tmp_path)

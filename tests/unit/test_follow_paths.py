@@ -53,6 +53,7 @@ def farthest(robot, plan, path):
     return worst
 
 
+@pytest.mark.slow
 def test_branches_that_meet_between_samples_are_connected(flappy):
     """Without the samples at which branches meet, as many positions do not connect."""
     robot, path, scene = flappy
@@ -80,6 +81,7 @@ def test_positions_are_added_only_where_gaps_have_to_be_closed(flappy):
         np.testing.assert_allclose(data.oMf[robot.model.getFrameId(robot.tool)].homogeneous, pose, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_cppflows_path_between_boxes_is_followed_without_interruption(flappy):
     robot, path, scene = flappy
     plan = mp.follow(robot, path, scene, tolerance=CLOSE)
@@ -99,6 +101,7 @@ def test_paths_of_an_arm_like_fetch_are_followed_within_a_tenth_of_a_millimetre(
     assert (farthest(robot, plan, path) <= 1.0).all()
 
 
+@pytest.mark.slow
 def test_positions_are_added_where_faster_joints_allow_a_larger_minimum():
     """On the square, with at most 0.2 rad between positions 3 cm apart, the minimum is 6 % smaller than it can be."""
     path, scene, joints = read("fetch_like_paths.json", "fetch_arm__square")
@@ -123,6 +126,7 @@ def turning(pose, angle):
     return mp.CartesianPath.through(poses)
 
 
+@pytest.mark.slow
 def test_a_motion_that_a_joint_limit_ends_names_the_place_the_joint_and_the_resolution():
     panda = mp.load_robot("panda")
     pose = panda.kinematics().pose(panda.states["default"])
@@ -162,12 +166,14 @@ def test_a_time_limit_that_is_too_short_finds_nothing_and_says_so(flappy):
         mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=0.05)
 
 
+@pytest.mark.slow
 def test_a_time_limit_that_is_not_reached_changes_nothing(flappy):
     robot, path, scene = flappy
     free, limited = (mp.follow(robot, path, scene, tolerance=CLOSE, time_limit=each) for each in (None, 600.0))
     np.testing.assert_array_equal(free.trajectory.q, limited.trajectory.q)
 
 
+@pytest.mark.slow
 def test_a_motion_that_is_found_in_time_is_returned_without_improvement(flappy, monkeypatch):
     from manipplan.support import deadline
     from manipplan.tool_path import engine
@@ -188,6 +194,7 @@ def test_a_time_limit_that_is_none_is_refused(flappy, value):
         mp.follow(*flappy, time_limit=value)
 
 
+@pytest.mark.slow
 def test_the_progress_never_falls_though_positions_are_added(flappy):
     robot, path, scene = flappy
     shares = []
@@ -196,6 +203,7 @@ def test_the_progress_never_falls_though_positions_are_added(flappy):
     assert any("positions half-way in" in text for _, text in shares)
 
 
+@pytest.mark.slow
 def test_given_poses_that_the_tool_does_not_come_past_fail_the_check(flappy, monkeypatch):
     """The tool may be near the path all the time, and yet no time near one of its poses."""
     from manipplan.jobs import follow

@@ -299,6 +299,7 @@ def test_a_seeding_that_says_nothing_of_a_path_is_refused(planar, seeding):
         mp.follow(planar, path, seeding=seeding)
 
 
+@pytest.mark.slow
 def test_lead_ins_keep_the_time_limit(planar):
     """All lead-ins together take the time limit: a planner that finds nothing and takes all the time it gets."""
     wall = mp.Scene([mp.Box(size=[0.2, 0.2, 0.2], position=[0.92, 2.53, 0.0], name="wall")])

@@ -509,6 +509,7 @@ def test_bounds_on_the_motion_of_the_tool(arms, name):
     assert largest > 0.02 * most
 
 
+@pytest.mark.slow
 def test_a_pose_out_of_reach(arms):
     _, robot, whole = arms("upstream")
     far = whole.pose(robot.neutral, robot.tool)
@@ -586,6 +587,7 @@ def trees(draw):
     return f'<robot name="tree">{text}</robot>', f"l{count}"
 
 
+@pytest.mark.slow
 @examples(80)
 @given(tree=trees(), data=st.data())
 def test_any_tree(tmp_path_factory, tree, data):

@@ -135,6 +135,7 @@ def test_all_joints_held_stay_where_they_are():
     assert (arm.refine(q, target[None], np.zeros(1, dtype=np.int64), steps=9, tolerance=1e-9) == q).all()
 
 
+@pytest.mark.slow
 def test_llvm_and_the_compiler_agree(by_llvm, monkeypatch, rng):
     """The same bits of all solutions of arms of each closed form."""
     for name in ("panda", "ur5", "kinova"):

@@ -31,6 +31,7 @@ def test_a_name_that_is_in_a_namespace_is_found_by_the_message():
     assert not hasattr(mp, "nonsense")
 
 
+@pytest.mark.slow
 def test_pictures_and_the_planar_arm_are_imported_when_used():
     code = (
         "import sys, manipplan as mp\n"
@@ -41,12 +42,14 @@ def test_pictures_and_the_planar_arm_are_imported_when_used():
     assert out.split() == ["PlanarArm", "draw_figure"]
 
 
+@pytest.mark.slow
 def test_import_brings_no_heavy_or_optional_package():
     heavy = ("matplotlib", "ompl", "toppra", "scipy", "llvmlite", "viser", "rich", "example_robot_data")
     code = f"import sys, manipplan; print([name for name in {heavy!r} if name in sys.modules])"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
 
 
+@pytest.mark.slow
 def test_missing_descriptions_name_the_install_line():
     code = (
         "import sys; sys.modules['example_robot_data'] = None\n"
@@ -58,6 +61,7 @@ def test_missing_descriptions_name_the_install_line():
     assert "pip install 'manipplan[robots]'" in out
 
 
+@pytest.mark.slow
 def test_signatures_are_short_enough_to_read():
     assert len(str(inspect.signature(mp.Box))) < 130
     signature = pydoc.render_doc(mp.plan, renderer=pydoc.plaintext).partition("Plan a motion")[0]

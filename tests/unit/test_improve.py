@@ -88,6 +88,7 @@ def test_an_independent_check_passes_with_jerk_limits(panda, recording, plan):
     assert report.passed and report.limits["jerk"].ratio < 1
 
 
+@pytest.mark.slow
 def test_the_comparison_is_printed_and_saved(plan, tmp_path):
     text = str(plan.report)
     assert "recorded  improved" in text and "peak jerk [rad/s³]" in text and "allowed: 20 mm and 11.5°" in text

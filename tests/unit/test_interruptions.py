@@ -54,6 +54,7 @@ def test_the_message_tells_how_many_interruptions_are_needed(panda, circle):
         mp.follow(panda, circle, positions=60)
 
 
+@pytest.mark.slow
 def test_parts_of_the_path_are_followed_and_cover_it(panda, circle, table, plan):
     assert plan.status is mp.Status.FOLLOWED_IN_PARTS and plan.status.ok and plan.report.passed
     first, second = plan.report.along
@@ -263,6 +264,7 @@ def test_parts_of_a_path(circle):
         spline.part(0.5, 1.2)
 
 
+@pytest.mark.slow
 def test_a_plan_along_a_part_of_a_path_is_saved_with_it(panda, circle, tmp_path):
     plan = mp.follow(panda, circle.part(0.1, 0.2), positions=8)
     plan.save(tmp_path / "saved")

@@ -134,6 +134,7 @@ def test_random_configurations_are_found_again(arm, rng, name):
     assert recall(robot, q) == 1.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CLOSED)
 def test_answers_are_sound(arm, rng, name):
     robot = arm(name)
@@ -670,6 +671,7 @@ def test_a_generous_time_limit_changes_nothing(panda, task, turns):
     assert (timed.complete, timed.missing) == (free.complete, free.missing)
 
 
+@pytest.mark.slow
 def test_a_time_limit_holds_for_many_samples(panda):
     """The solutions by then are some of all, of samples that are spread over the grid; what is missing is estimated."""
     pose = panda.kinematics().pose(panda.neutral)

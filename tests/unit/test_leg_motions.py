@@ -29,6 +29,7 @@ def no_pose(*_, **__):
     raise mp.errors.InvalidInputError("path, s = 0.25", [], "a pose within reach")
 
 
+@pytest.mark.slow
 def test_a_pose_between_positions_out_of_reach_is_not_for_every_start(planar, step, state, monkeypatch):
     """That a position in between is out of reach does not rule out other configurations in which the path begins."""
     failure = Failure(message="positions 3 and 4 are not connected")

@@ -283,6 +283,7 @@ def test_anytime_raises_at_its_end():
         list(max_min_search(each, 0.5, anytime=True))
 
 
+@pytest.mark.slow
 def test_neither_the_package_nor_the_search_brings_llvm_when_imported():
     code = "import sys, manipplan, manipplan.search.max_min; print('llvmlite' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "False"

@@ -50,6 +50,7 @@ def test_a_container_that_sees_its_own_group_as_the_root(made):
     assert made("0::/../../outside\n", memory_dot_max=str(GB)) == GB
 
 
+@pytest.mark.slow
 def test_a_limit_of_the_shell_counts():
     code = "from manipplan.support.processes.workers import usable_memory; print(usable_memory())"
     limit = 3 * GB

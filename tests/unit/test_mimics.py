@@ -263,6 +263,7 @@ def test_wrong_couplings(mjcf, equality, message):
         mp.Robot.from_mjcf(mjcf(equality), tool="arm", velocity=1.0)
 
 
+@pytest.mark.slow
 def test_couplings_of_active_joints(mjcf):
     coupling = '<joint joint1="b" joint2="a" active="{}"/>'
     for tool in "ab":

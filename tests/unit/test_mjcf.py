@@ -158,6 +158,7 @@ def test_places_in_defaults(arm, rng, place, kind):
     judged(file, rng, tool="tcp")
 
 
+@pytest.mark.slow
 def test_an_obstacle_beside_a_geom_placed_by_a_default(arm):
     """A plan through it passed when the place was ignored."""
     tip = '<default><default class="tip"><geom type="box" size=".02 .15 .02" pos="0 .15 .22"/></default></default>'
@@ -295,6 +296,7 @@ def test_ranges_that_do_not_limit(arm, rng):
     assert np.isinf(robot.limits.upper[0]) and robot.joint_types[0] == "continuous"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sequence", ["XYZ", "ZYX", "xYz", "xyz", "zyx", "ZXz"])
 def test_sequences_of_euler_angles(arm, rng, sequence):
     judged(arm(compiler=f'<compiler angle="radian" eulerseq="{sequence}"/>', b='euler=".4 .5 .6"'), rng)
@@ -590,6 +592,7 @@ UNUSED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", UNUSED)
 def test_what_a_simulation_alone_needs_costs_nothing(written, kind):
     robot = mp.Robot.from_mjcf(written(f"<mujoco>{UNUSED[kind]}<worldbody>{BODY}</worldbody></mujoco>"), velocity=1.0)
@@ -845,6 +848,7 @@ def test_the_name_of_a_site_on_the_last_body_makes_it_the_tool(arm, caplog, site
     np.testing.assert_allclose(robot.kinematics(compiled=False).pose(q)[:3, 3], place, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_site_on_another_body_or_with_the_name_of_a_body_is_not_the_tool(arm):
     plain = arm(tip="")
     body = mp.Robot.from_mjcf(plain).tool

@@ -78,6 +78,7 @@ def test_a_pose_goal_and_a_path(arm):
     assert mp.follow(arm, mp.CartesianPath.line(begin, end), positions=12, start=START).report.passed
 
 
+@pytest.mark.slow
 def test_a_pose_that_is_out_of_reach_is_told_with_a_true_distance(arm):
     high = arm.kinematics().pose(START)
     high[2, 3] = 3.0

@@ -5,12 +5,14 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pinocchio as pin
+import pytest
 
 import manipplan as mp
 
 PAGE = next((Path(__file__).parents[2] / "docs" / "examples").rglob("plot_mujoco_playback.py"))
 
 
+@pytest.mark.slow
 def test_mass_matrix_and_gravity_are_pinocchio_s(page, rng):
     model = page["model"]
     robot = mp.load_robot("panda", locked=dict.fromkeys(page["robot"].locked, 0.0))  # fingers closed, as the page fixes them

@@ -126,6 +126,7 @@ URDF_PATH = PACKAGE_PATH + "/arm.urdf"
     assert "robot_descriptions.own_description" not in sys.modules
 
 
+@pytest.mark.slow
 def test_a_process_that_ends_without_an_answer(descriptions, monkeypatch):
     descriptions(own_description="import os\nos._exit(3)", slow_description="import time\ntime.sleep(60)")
     with pytest.raises(mp.errors.RobotNotFetchedError, match="ended with code 3"):

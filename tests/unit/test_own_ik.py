@@ -59,6 +59,7 @@ def placements():
     return values.map(lambda x: pin.SE3(pin.rpy.rpyToMatrix(*x[:3]), np.array(x[3:]) / 3).homogeneous)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=15)
 @given(bases=st.tuples(placements(), placements()), tools=st.tuples(placements(), placements()), early=st.booleans())
 def test_it_speaks_of_the_robot_as_it_was(bases, tools, early):
@@ -144,6 +145,7 @@ def test_joints_are_not_held_for_it():
         mp.inverse_kinematics(UR5.with_inverse_kinematics(nothing), pose_of(UR5, Q), held=["elbow_joint"])
 
 
+@pytest.mark.slow
 def test_pose_goals_are_what_it_returns():
     """Of eight solutions it returns one, which is the goal, though others are nearer."""
     pose = pose_of(UR5, Q)
@@ -157,6 +159,7 @@ def test_pose_goals_are_what_it_returns():
         mp.plan(UR5.with_inverse_kinematics(nothing), start, pose)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", [None, mp.Task.pointing([0, 0, 1])], ids=["pose", "pointing"])
 def test_tool_paths_use_it(task):
     robot = UR5.with_inverse_kinematics(of_ur5)
@@ -194,6 +197,7 @@ def test_stored_results_name_it():
     assert robot_key(robots[1]) == robot_key(UR5.with_inverse_kinematics(of_ur5))
 
 
+@pytest.mark.slow
 def test_a_path_does_not_leave_what_the_solver_returns():
     """From a given start, too, where steps along the path would lead on into postures that are left out."""
     library = mp.load_robot("ur5")

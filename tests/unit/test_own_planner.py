@@ -126,6 +126,7 @@ def test_waypoints_outside_the_limits(ur5):
         mp.seed_path(ur5, start, goal, wall, seeding=mp.Seeding(planner=Detour([start, middle, goal])))
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=30)
 @given(middle=st.lists(st.tuples(*[st.floats(-4.0, 4.0)] * 3), max_size=4))
 def test_whatever_it_returns_is_free_or_refused(middle):

@@ -110,6 +110,7 @@ def test_a_polytope_encloses_an_ellipsoid(radii, rng):
         assert apart <= EXCESS + 1e-5
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(
     seed=st.integers(0, 10**6),
@@ -144,6 +145,7 @@ def test_clearances_are_on_the_safe_side():
             assert -1e-6 <= less <= EXCESS + 1e-6
 
 
+@pytest.mark.slow
 def test_plans_keep_clear_of_it(tmp_path):
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     scene = mp.Scene([Ellipsoid(radii=(0.12, 0.1, 0.4), position=(0.03, 2.2, 0.0), name="post")])

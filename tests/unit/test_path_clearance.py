@@ -21,6 +21,7 @@ def curve(rng, robot, degree, size=0.5):
     return mp.JointPath(breaks=[0.0, 1.0], control=control)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", pytest.param("xarm7", marks=pytest.mark.long)])
 def test_the_bound_lies_just_below_dense_samples(name, rng, request):
     robot = mp.load_robot(name) if name == "xarm7" else request.getfixturevalue(name)

@@ -56,6 +56,7 @@ def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
             np.testing.assert_array_equal(np.array(one(q, column)), np.array(other(q, column)))
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_machine_code_is_built_once_it_pays_off(panda, folder, rng, monkeypatch):
     """With the same numbers before and after, and at once in another process."""

@@ -61,6 +61,7 @@ def assert_same(found, expected):
 # ---- who does the work
 
 
+@pytest.mark.slow
 def test_results_in_this_process_are_those_of_plan(problems, expected):
     found = mp.plan_many(problems)
     assert_same(found, expected)
@@ -125,6 +126,7 @@ class Recorder(Executor):
         return self.pool.submit(fn, *args, **kwargs)
 
 
+@pytest.mark.slow
 def test_a_robot_is_sent_when_it_is_needed_and_only_then():
     arms = [mp.planar_arm([1.0, 1.0, 1.0]) for _ in range(8)]
     given = [replace(problem, robot=arm) for arm, problem in zip(arms, problems_of(arms[0]), strict=True)]
@@ -471,6 +473,7 @@ def counted(monkeypatch):
     return starts
 
 
+@pytest.mark.slow
 def test_a_second_call_plans_only_the_rest(problems, expected, counted, tmp_path):
     mp.plan_many(problems[2:4], folder=tmp_path / "deep" / "results")
     assert len(counted) == 2

@@ -83,6 +83,7 @@ def along(servo, q, line, seconds):
     return np.array(motion), np.linalg.norm((kinematics.pose(q) - poses[-1])[:3, 3])
 
 
+@pytest.mark.slow
 def test_a_reference_is_the_part_of_the_plan_along_the_path(panda, plan, line):
     start = panda.states["default"] + np.array([0.4, 0.2, -0.3, 0.1, 0.2, 0.0, 0.1])
     led = mp.follow(panda, line, start=start, **FEW)
@@ -162,6 +163,7 @@ def test_law_and_expression_find_the_same_place_on_the_plan(panda, servo):
         assert np.allclose(exact, servo.reference.q[knot], atol=2e-3)
 
 
+@pytest.mark.slow
 def test_a_moved_base_moves_the_reference(line):
     base = pin.SE3(pin.rpy.rpyToMatrix(0.3, -0.5, 1.0), np.array([0.2, -0.1, 0.4])).homogeneous
     moved = mp.load_robot("panda").at(base)

@@ -516,6 +516,7 @@ def test_what_cannot_be_animated_is_said_before_anything_is_drawn(planar_plan, t
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_importing_viz_does_not_import_matplotlib():
     code = "import sys; from manipplan import viz; print('matplotlib' in sys.modules, 'PIL' in sys.modules)"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout

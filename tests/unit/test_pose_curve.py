@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -112,6 +112,7 @@ def test_repeated_poses_change_no_length(seed, count, turned):
     assert again == pytest.approx(long, rel=0.02)
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.floats(-12, -6.1))
 def test_poses_that_are_one_make_the_same_path(seed, exponent):
@@ -170,6 +171,7 @@ def test_in_and_straight_out_goes_no_deeper(seed, back, exponent):
 
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.floats(-12, -3))
+@example(2567, -3.0)
 def test_a_straight_line_with_a_repeated_pose_stays_straight(seed, exponent):
     """F04 of the field reports: 10 nm gave 30 mm.
 
@@ -183,8 +185,9 @@ def test_a_straight_line_with_a_repeated_pose_stays_straight(seed, exponent):
     made = way(path)
     size = np.linalg.norm(gap)
     bound = 1.1 * size if np.hypot(gap[0], gap[2]) > 0.25 * size else 0.05 / 8
-    assert np.abs(made[:, [0, 2], 3]).max() <= bound + 1e-12
-    assert 0.15 - 1e-9 <= lengths(made)[0] < 0.15 + 4 * size + 1e-9
+    off = np.abs(made[:, [0, 2], 3]).max()
+    assert off <= bound + 1e-12
+    assert 0.15 - 1e-9 <= lengths(made)[0] < 0.15 + 4 * size + 8 * off**2 / 0.05 + 1e-9
 
 
 @settings(max_examples=30, deadline=None)

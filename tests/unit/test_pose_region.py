@@ -70,6 +70,7 @@ def test_values_give_poses_inside_and_poses_values(task, seed):
     np.testing.assert_allclose(distances_between(reached, poses, free), 0.0, atol=1e-7)
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(regions(), st.integers(0, 2**31))
 def test_a_pose_outside_has_a_distance_and_its_nearest_is_inside(task, seed):
@@ -96,6 +97,7 @@ def test_samples_are_spread_over_the_region(task, seed):
     assert (np.abs((values > 0).mean(axis=0) - 0.5) < 0.2).all()
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(regions(), st.integers(0, 2**31))
 def test_the_rows_of_the_path_program_are_inside_their_box_inside_the_region_only(panda, task, seed):
@@ -116,6 +118,7 @@ def test_the_rows_of_the_path_program_are_inside_their_box_inside_the_region_onl
     assert (rows.box(tolerance) >= box).all()
 
 
+@pytest.mark.slow
 def test_a_path_within_the_region_has_no_distance_from_either_end():
     task = mp.Task.pose().within(position=(0.02, 0.0, 0.01), rotation=(0.0, 0.3, 0.0))
     free, rng = FreeMotion.of(task), np.random.default_rng(3)
@@ -181,6 +184,7 @@ def followed(request):
     return robot, path, mp.follow(robot, path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REGIONS)
 def test_follow_uses_the_region_and_stays_inside(followed, name):
     robot, path, exact = followed
@@ -195,6 +199,7 @@ def test_follow_uses_the_region_and_stays_inside(followed, name):
     assert not mp.check(robot, plan.trajectory, path=path).passed  # it is off the poses themselves
 
 
+@pytest.mark.slow
 def test_a_region_reaches_what_the_pose_does_not(panda):
     """A path up to 1 cm beyond the arm's reach, with 3 cm to spare that way."""
     begin = panda.kinematics().pose(np.array([0.0, 0.8, 0.0, -0.4, 0.0, 1.2, 0.78]))
@@ -219,6 +224,7 @@ def test_inverse_kinematics_samples_the_region(ur5):
         np.testing.assert_allclose(excess(task.region, pose, ur5.kinematics().pose(q)), 0.0, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_bounds_of_a_free_row(panda):
     """The manipulability is that of five rows; the sixth may turn by half a radian, not freely."""
     poses = np.repeat(panda.kinematics().pose(np.array([0, -0.5, 0, -2.2, 0, 1.8, 0.7]))[None], 2, axis=0)
@@ -270,6 +276,7 @@ def test_what_cannot_use_a_region_says_so(panda):
         )
 
 
+@pytest.mark.slow
 def test_a_plan_with_a_region_is_saved_and_read(panda, tmp_path):
     poses = np.repeat(panda.kinematics().pose(np.array([0, -0.5, 0, -2.2, 0, 1.8, 0.7]))[None], 2, axis=0)
     poses[1, :3, 3] += [0.1, 0.1, 0.0]
@@ -280,6 +287,7 @@ def test_a_plan_with_a_region_is_saved_and_read(panda, tmp_path):
     assert again.result.task == task
 
 
+@pytest.mark.slow
 def test_a_planar_arm_turns_within_its_region(planar):
     start = planar.kinematics().pose(planar.neutral + 0.4)
     end = start.copy()

@@ -60,6 +60,7 @@ def test_the_hand_that_is_named_takes_up_a_part(baxter, tmp_path):
     assert again.marks == made.marks
 
 
+@pytest.mark.slow
 def test_a_hand_far_from_the_part_is_told(baxter):
     """The ball is in front of the right hand; the left one takes it up."""
     scene = mp.Scene([ball_at(baxter, RIGHT, baxter.neutral)])
@@ -69,6 +70,7 @@ def test_a_hand_far_from_the_part_is_told(baxter):
     assert warning.startswith("steps[1]: ball is taken up, ") and warning.endswith(" mm from the hand")
 
 
+@pytest.mark.slow
 def test_a_part_between_fingers_that_may_touch_it_is_not_far(hand, cell):
     """The nearest body that is checked would be the arm's."""
     pose = np.diag([1.0, -1.0, -1.0, 1.0])
@@ -102,6 +104,7 @@ def test_what_two_hands_cannot_do_is_refused(baxter, steps, message):
         mp.sequence(baxter, baxter.neutral, steps, scene)
 
 
+@pytest.mark.slow
 def test_goals_of_both_hands(baxter):
     def down(x, y, z):
         pose = np.eye(4)

@@ -38,6 +38,7 @@ def test_the_viewer_shows_parts_where_they_are(program, hand):
         assert f'<iframe src="{page.url}"' in page._repr_html_()
 
 
+@pytest.mark.slow
 def test_a_part_that_appears_in_the_hand_is_shown_from_then_on(hand):
     pytest.importorskip("viser")
     ball = mp.Sphere(radius=0.02, position=(0, 0, 0.04), name="ball")
@@ -104,6 +105,7 @@ def test_saved_and_loaded(program, tmp_path):
         mp.Program.load(tmp_path / "made")
 
 
+@pytest.mark.slow
 def test_parts_go_to_controllers(tmp_path):
     arm = mp.load_robot("ur5")
     away = arm.neutral + [0.3, -0.4, 0.5, 0.2, 0.3, 0.0]

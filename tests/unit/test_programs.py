@@ -22,6 +22,7 @@ from manipplan.tool_path.engine import outside_limits
 from manipplan.tool_path.transit import STRAIGHT_EPSILON, straight_on, straight_planner
 
 
+@pytest.mark.slow
 def test_a_part_is_picked_carried_and_placed(hand, cell, program):
     assert program.passed
     assert [mark.name for mark in program.marks] == [
@@ -163,6 +164,7 @@ def test_corners():
     assert not is_corner(line, mp.JointPath.line([1, 0], [3, 0]))
 
 
+@pytest.mark.slow
 def test_a_part_let_go_in_the_air_is_told(hand, cell, steps):
     high = [*steps[:3], mp.MoveTo(pose_at(0.45, -0.3, 0.3)), mp.Detach("part"), mp.MoveTo("default")]
     scene = mp.Scene(cell.obstacles)  # nothing may touch: the part keeps its distance to the table
@@ -258,6 +260,7 @@ BAD = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BAD)
 def test_bad_programs(hand, cell, name):
     given, message = BAD[name]
@@ -400,6 +403,7 @@ def test_the_fastest_speed_around_a_sharp_corner(hand, blend):
     assert weld(fastest).marks[0].tool_speed.is_steady
 
 
+@pytest.mark.slow
 def test_each_given_pose_of_a_path_is_met(hand):
     """A wave of 6 mm, of which 20 positions would see little."""
     poses = [pose_at(0.4 + 0.003 * (-1) ** k, -0.2 + 0.01 * k, 0.3) for k in range(41)]
@@ -451,6 +455,7 @@ def test_a_straight_way_stays_inside_the_limits(hand):
         straight_planner(hand, blocked, path, measure=None, clearance=0.0)
 
 
+@pytest.mark.slow
 def test_a_configuration_is_reached_as_it_was_given(ur5):
     """A pose may be reached at any full turn of the joints; a configuration may not."""
     start, goal = np.array([0.0, -1.5, 1.5, -1.5, 4.6, 6.0]), np.array([0.2, -1.4, 1.4, -1.5, -1.6, 0.0])
@@ -485,6 +490,7 @@ def test_a_program_that_is_not_found_in_time_is_refused_with_the_step(hand, cell
     assert caught.value.result.status is mp.Status.NOT_IN_TIME
 
 
+@pytest.mark.slow
 def test_a_time_limit_that_is_not_reached_changes_no_program(hand, cell, steps, program):
     again = mp.sequence(hand, "default", steps, cell, blend=0.05, time_limit=600.0)
     np.testing.assert_array_equal(again.trajectory.q, program.trajectory.q)

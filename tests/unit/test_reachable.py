@@ -140,6 +140,7 @@ def test_walls_that_the_first_joint_cannot_pass(planar):
     assert "closer than the clearance of 10 mm" in found
 
 
+@pytest.mark.slow
 def test_a_joint_that_goes_around_a_wall_arrives_a_turn_away(planar):
     """Values of joints are plain angles: to get from 0 to π a joint takes every value between."""
     scene, around = mp.Scene([NORTH]), [-np.pi, *WEST[1:]]
@@ -240,6 +241,7 @@ def test_there_is_no_proof_of_joints_inside_the_arm_where_there_is_a_path(tmp_pa
     assert proven >= 5 and found >= 20, (proven, found)
 
 
+@pytest.mark.slow
 def test_there_is_no_proof_where_there_is_a_path(rng):
     """Random posts around planar arms: some goals are proven to be out of reach, and for none of these is a path found."""
     proven = found = 0

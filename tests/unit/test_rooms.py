@@ -122,6 +122,7 @@ def test_there_is_no_circle_at_import_time():
     assert not left
 
 
+@pytest.mark.slow
 def test_no_class_name_stands_twice():
     """One name has one meaning, with or without an underscore in front."""
     names = Counter(
@@ -147,6 +148,7 @@ def not_public(file):
     return found
 
 
+@pytest.mark.slow
 def test_benchmarks_and_studies_import_public_names_only():
     root = PACKAGE.parent
     found = {

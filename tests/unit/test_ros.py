@@ -284,6 +284,7 @@ def test_without_rosbags_the_line_that_installs_it_is_told(motion, tmp_path, mon
     assert not (tmp_path / "more").exists()
 
 
+@pytest.mark.slow
 def test_a_killed_write_leaves_no_bag(tmp_path):
     script = (
         "import sys, numpy as np, manipplan as mp\n"

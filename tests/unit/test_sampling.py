@@ -242,6 +242,7 @@ def test_an_interrupt_ends_sampling_and_cancels_what_waits(six):
     assert all(job.cancelled() for job in executor.jobs[3:])
 
 
+@pytest.mark.slow
 def test_an_interrupt_between_positions_is_not_swallowed(panda, line):
     """Ctrl-C in the main thread, as it tells of the first position: no work is done for most of the other positions."""
 

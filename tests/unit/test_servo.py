@@ -248,6 +248,7 @@ def test_signs_of_singular_vectors_do_not_matter(servos, name):
     assert np.allclose(*paths, atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "kinova", "so100", "baxter_left", "xarm7"])
 @settings(max_examples=15, deadline=None)
 @given(data=st.data())
@@ -438,6 +439,7 @@ def test_obstacles_are_kept_at_a_distance():
     assert servo.status is ServoStatus.BAD_COMMAND
 
 
+@pytest.mark.slow
 def test_arms_of_many_kinds():
     """Rails, branches and followers: the rows that count are followed where nothing limits."""
     for robot in (mp.load_robot("tiago"), mp.load_robot("talos_torso_right_arm"), mp.planar_arm([0.5, 0.4, 0.3])):
@@ -491,6 +493,7 @@ def test_machine_code_and_virtual_machine_agree_bit_by_bit():
     assert np.array_equal(*paths)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
 @pytest.mark.parametrize("name", ["panda", "so100", "panda with a plan"])
 def test_the_exported_servo_has_the_same_bits(name, tmp_path):
@@ -526,6 +529,7 @@ def test_the_exported_servo_has_the_same_bits(name, tmp_path):
     assert np.array_equal(found, expected)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("cmake") is None, reason="there is no cmake")
 def test_the_exported_project_builds_by_cmake(tmp_path):
     mp.Servo(mp.load_robot("ur5"), dt=DT, compiled=False).export_c(tmp_path / "servo")

@@ -210,6 +210,7 @@ def test_crossings_are_where_factors_vanish(name, rng):
     assert count > 3
 
 
+@pytest.mark.slow
 def test_two_factors_that_vanish_between_the_same_samples():
     """Here det J has the same sign at all samples: the elbow and the shoulder vanish within a ten-thousandth of the path."""
     robot = mp.load_robot("kinova")
@@ -361,6 +362,7 @@ def test_paths_between_aspects_are_optimised(name, rng):
         assert certificate.finite_g < result.g or not certificate.crossings
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_an_upright_start_is_ordinary(sign):
     plan = mp.plan(mp.load_robot("ur5"), UPRIGHT, [0.8, -1.0, sign * 1.2, -0.5, 0.7, 0.3])
@@ -410,6 +412,7 @@ def test_moving_panels_give_exact_derivatives(two_links, floor, rng):
         assert true.length.without_energy.value(z) * true.length.g0 == pytest.approx(integral.cost(path).g, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_a_singular_start_has_its_share_of_g():
     plan = mp.plan(mp.load_robot("ur5"), UPRIGHT, [0.8, -1.0, 1.2, -0.5, 0.7, 0.3])
     start = plan.result.certificate.crossings[0]
@@ -440,6 +443,7 @@ def test_the_lost_direction_is_one_that_no_joint_gives(two_links):
     np.testing.assert_allclose(lost, [1.0, 0.0], atol=1e-6)
 
 
+@pytest.mark.slow
 def test_the_report_tells_how_long_m_is_below_the_floor():
     robot = mp.load_robot("ur5")
     plan = mp.plan(robot, [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5])
@@ -451,6 +455,7 @@ def test_the_report_tells_how_long_m_is_below_the_floor():
     assert away.report.below_floor == 0.0 and "is below" not in str(away.report)
 
 
+@pytest.mark.slow
 def test_a_pose_as_the_goal_avoids_the_crossing():
     robot, kinematics = mp.load_robot("ur5"), mp.load_robot("ur5").kinematics()
     start, goal = [0.4, -1.2, 1.5, -1.8, -1.3, 0.7], [1.4, -0.5, -1.3, 0.3, -1.2, 0.5]
@@ -461,6 +466,7 @@ def test_a_pose_as_the_goal_avoids_the_crossing():
     np.testing.assert_allclose(kinematics.pose(plan.path.goal), kinematics.pose(goal), atol=1e-9)
 
 
+@pytest.mark.slow
 def test_more_first_paths_are_never_worse_and_are_counted():
     robot = mp.load_robot("ur5")
     start, goal = [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5]

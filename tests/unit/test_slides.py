@@ -206,6 +206,7 @@ def skew(tmp_path_factory):
     return mp.Robot.from_urdf(chain_file(tmp_path_factory.mktemp("skew") / "skew.urdf", joints, "0 0 0.05"), tool="tool")
 
 
+@pytest.mark.slow
 def test_what_was_found_until_the_limit_is_returned_and_labelled(skew):
     pose = skew.kinematics().pose(np.array([0.3, -0.5, 0.4, -0.6, 0.5, 0.8, 0.2]))
     found = mp.inverse_kinematics(skew, pose, samples=4000, time_limit=1.0)
@@ -232,6 +233,7 @@ def test_a_wrong_time_limit_is_refused(panda, limit):
         mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), time_limit=limit)
 
 
+@pytest.mark.slow
 def test_the_log_says_how_to_get_faster(skew, caplog, monkeypatch):
     monkeypatch.setattr("manipplan.ik.solutions.SLOW", 1e-4)
     pose = skew.kinematics().pose(np.array([0.3, -0.5, 0.4, -0.6, 0.5, 0.8, 0.2]))

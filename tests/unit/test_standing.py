@@ -132,6 +132,7 @@ def test_a_post_that_the_tolerance_clears_is_left_to_the_solver(panda, sweep):
     assert blocked(model, sweep, wide, mp.Task.orientation(), 0.0) == ""
 
 
+@pytest.mark.slow
 def test_a_pose_in_millimetres_is_named_as_one():
     far = POSE.copy()
     far[:3, 3] *= 1000

@@ -200,6 +200,7 @@ def solved_by(solver, program):
     return answer if other.stats()["success"] else np.full(len(answer), np.nan)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "formulation",
     [mp.formulations.Objective(alpha=2e3), mp.formulations.Equality(alpha=5e5), mp.formulations.LogDrive()],

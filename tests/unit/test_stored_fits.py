@@ -39,6 +39,7 @@ def described(primitives):
     return [(type(each.shape).__name__, each.placement.homogeneous.tolist(), each.volume) for each in primitives]
 
 
+@pytest.mark.slow
 def test_a_mesh_is_fitted_once(cache, triangles, fits):
     first, second = find_or_fit(triangles), find_or_fit(triangles)
     assert len(fits) == 1 and described(first) == described(second)
@@ -72,6 +73,7 @@ def test_spoilt_files_are_fitted_again(cache, triangles, fits, spoil):
     assert len(fits) == 2
 
 
+@pytest.mark.slow
 def test_without_a_cache_folder_every_process_fits(tmp_path, monkeypatch, triangles, fits):
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path / "file" / "folder"))

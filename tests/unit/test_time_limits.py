@@ -219,6 +219,7 @@ def test_the_time_limit_is_named_as_the_cause(panda):
         assert "time limit" in plan.status.value and "Seeding.time_limit" in str(plan.report)
 
 
+@pytest.mark.slow
 def test_candidates_share_the_time_of_all_first_paths(panda):
     """A slow planner: the call takes at most `time_limit` for each first path, however many candidates a pose has."""
     pose, line = panda.kinematics(compiled=False).pose(GOAL), np.linspace(0.0, 1.0, 60)

@@ -252,6 +252,7 @@ def swapped(baxter, scene):
     return goal, mp.plan(baxter, baxter.neutral, goal, scene)
 
 
+@pytest.mark.slow
 def test_both_hands_reach_their_poses(baxter, scene, swapped):
     goal, plan = swapped
     q = plan.trajectory.q[-1]
@@ -311,6 +312,7 @@ def test_an_arm_with_fewer_joints_than_a_relative_task_has_rows():
     assert report.min_manipulability > 0
 
 
+@pytest.mark.slow
 def test_a_plan_is_the_same_when_it_is_loaded(swapped, tmp_path):
     _, plan = swapped
     plan.save(tmp_path)
@@ -372,6 +374,7 @@ def test_goals_of_random_configurations_are_reached(name):
             np.testing.assert_allclose(place(robot, tool, found.q[0]), goals[tool].matrix, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_out_of_reach_is_said_only_where_it_is_proven():
     robot = mp.load_robot("tiago_dual")
     goal = {tool: place(robot, tool, robot.neutral) for tool in robot.tools}
@@ -387,6 +390,7 @@ def test_out_of_reach_is_said_only_where_it_is_proven():
         mp.plan(robot, robot.neutral, goal | {first: just})
 
 
+@pytest.mark.slow
 def test_two_poses_that_need_different_torsos():
     robot = mp.load_robot("tiago_dual")
     model, integral = mp.Scene().collision_model(robot), mp.PathObjective().integral(robot)
@@ -399,6 +403,7 @@ def test_two_poses_that_need_different_torsos():
     assert "each tool reaches its pose alone, but no value of torso_lift_joint was found" in found.rejected[0][1]
 
 
+@pytest.mark.slow
 def test_held_joints_stay_where_both_arms_and_a_torso_move():
     robot = mp.load_robot("tiago_dual")
     model, integral = mp.Scene().collision_model(robot), mp.PathObjective().integral(robot)
@@ -413,6 +418,7 @@ def test_held_joints_stay_where_both_arms_and_a_torso_move():
     np.testing.assert_allclose(place(robot, robot.tools[0], found.q[0]), goals[robot.tools[0]].matrix, atol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("goal", "message"),
     [

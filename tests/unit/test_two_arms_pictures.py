@@ -33,6 +33,7 @@ def ends(ax):
     return np.array([np.array(line.get_data_3d())[:, -1] for line in ax.lines])
 
 
+@pytest.mark.slow
 def test_the_way_of_each_tool_is_drawn(plan):
     for ax in (
         plot_arm(plan.robot, plan.path),

@@ -435,6 +435,7 @@ def test_it_plans_again_among_moved_obstacles(plan, open_page):
         wait_until(lambda: abs(live.time - 0.4) < 1e-9)
 
 
+@pytest.mark.slow
 def test_planning_again_fails_in_words_and_can_be_stopped(plan, monkeypatch):
     with plan.show(port=0, open_browser=False) as live:
         again = live.replanner
@@ -993,6 +994,7 @@ def test_without_the_extra_the_install_line_is_told(plan, monkeypatch):
         plan.record("x.html")
 
 
+@pytest.mark.slow
 def test_importing_it_imports_no_viewer():
     code = "import sys, manipplan, manipplan.viz.viewer; sys.exit(bool({'viser', 'trimesh', 'matplotlib'} & set(sys.modules)))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
@@ -1023,6 +1025,7 @@ def test_view_from_a_shell(plan, tmp_path, capsys, sigint):
     assert all(line.startswith("... ") for line in error.splitlines())  # the progress
 
 
+@pytest.mark.slow
 def test_a_port_in_use_is_one_line_in_a_shell(plan, tmp_path, capsys):
     plan.save(tmp_path)
     capsys.readouterr()

@@ -60,6 +60,7 @@ def test_results_belong_to_their_call(workers):
     assert [future.result() for future in futures] == [x * x + 1 for x in range(20)]
 
 
+@pytest.mark.slow
 def test_errors_are_those_of_the_work(workers):
     with pytest.raises(ValueError, match="no luck"):
         workers.submit(fail, "no luck").result()
@@ -84,6 +85,7 @@ def test_only_the_work_of_a_dead_process_is_lost(workers, code, message):
     assert [each.result() for each in (*first, *after)] == [0, 1, 4, 9] * 2
 
 
+@pytest.mark.slow
 def test_each_process_has_one_thread_and_the_callers_environment_stays(workers, monkeypatch):
     monkeypatch.setenv(THREADS[0], "7")
     monkeypatch.delenv(THREADS[-1], raising=False)
@@ -101,6 +103,7 @@ def is_running(pid):
         return False
 
 
+@pytest.mark.slow
 def test_processes_end_with_the_block():
     with Workers(1) as one:
         future = one.submit(os.getpid)

@@ -93,6 +93,7 @@ def test_a_package_with_includes_yaml_and_macros(arm, monkeypatch, tmp_path):
     assert visual_geometry(robot)[0].ngeoms == 2
 
 
+@pytest.mark.slow
 def test_arguments_and_packages(read, tmp_path):
     hand = {"hand_description": tmp_path / "hand-main"}
     robot = read(arguments={"prefix": "left_", "length": 0.75, "hand": True}, packages=hand)
@@ -453,6 +454,7 @@ def test_a_file_that_expands_to_very_much(read):
         read("<link name=\"${'a'*150000000}\"/>")
 
 
+@pytest.mark.slow
 def test_other_files(arm, tmp_path):
     for namespace in ("www.ros.org/wiki", "ros.org/wiki", "wiki.ros.org"):  # all three are in use
         named = arm()
