@@ -37,6 +37,7 @@ def arm(request):
     return request.getfixturevalue(request.param) if request.param in QUICK else mp.load_robot(request.param)
 
 
+@pytest.mark.slow
 @examples(8, derandomize=True)
 @given(seed=st.integers(0, 2**32 - 1), size=st.floats(-4.0, 0.0))
 def test_distance_falls_no_more_than_the_bound(arm, seed, size):

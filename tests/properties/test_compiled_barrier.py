@@ -135,6 +135,7 @@ def test_a_problem_without_a_motion_has_none(functions, monkeypatch):
         assert motion_inside(problem, None, code) is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [True, False])
 def test_speeds_and_efforts_without_a_motion_are_refused_alike(monkeypatch, compiled):
     if not compiled:

@@ -348,6 +348,7 @@ def test_no_pairs_is_free_everywhere():
 # ---- the collision model
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arm", ARMS, indirect=True)
 def test_the_gradient_of_each_distance_by_finite_differences(arm, wedge, rng):
     """Of pairs that are apart; where the nearest points jump between features there is none, which differences show."""
@@ -391,6 +392,7 @@ def test_a_copy_answers_alike_and_for_itself(panda, rng):
         assert copy.in_collision(q, clearance=0.1) == model.in_collision(q, clearance=0.1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", ['type="sphere" size="0.05"', 'type="ellipsoid" size="0.05 0.04 0.05"'])
 def test_inside_a_solid_the_way_leads_out(tmp_path, shape):
     """Distance, its gradient and the plane of a ball that slides from the middle of a tube through its wall."""

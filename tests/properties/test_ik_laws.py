@@ -116,6 +116,7 @@ def test_three_axes_that_meet(kind, backward, seed):
     assert found_again(robot, q)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backward", [False, True], ids=["forward", "reversed"])
 @examples(25)
 @given(seed=seeds)

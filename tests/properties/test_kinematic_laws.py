@@ -18,6 +18,7 @@ def kinematics(robot, task=POSE, **options):
     return robot.kinematics(task, compiled=False, **options)
 
 
+@pytest.mark.slow
 @few
 @given(seeds, kinds(2), st.data())
 def test_pose_and_jacobian_equal_pinocchio(seed, prismatic, data):
@@ -78,6 +79,7 @@ def test_manipulability_lies_between_powers_of_the_singular_values(seed, prismat
     np.testing.assert_allclose(kinematics(robot, measure="smallest_singular_value").manipulability(q), sigma[-1], atol=1e-12)
 
 
+@pytest.mark.slow
 @few
 @given(seeds, st.integers(6, 9), st.data())
 def test_manipulability_is_zero_when_rank_drops(seed, n, data):
@@ -91,6 +93,7 @@ def test_manipulability_is_zero_when_rank_drops(seed, n, data):
     assert np.isfinite(ours.hessian(q)).all()
 
 
+@pytest.mark.slow
 @few
 @given(seeds, kinds(3), st.lists(st.integers(0, 5), min_size=1, max_size=6, unique=True), st.data())
 def test_rows_of_a_task_are_rows_of_the_jacobian(seed, prismatic, chosen, data):
@@ -102,6 +105,7 @@ def test_rows_of_a_task_are_rows_of_the_jacobian(seed, prismatic, chosen, data):
     np.testing.assert_allclose(part, full[chosen], atol=1e-14)
 
 
+@pytest.mark.slow
 @few
 @given(seeds, kinds(6), st.sampled_from([POSE, mp.Task.pointing(), mp.Task.position()]), st.data())
 def test_derivatives_on_random_chains(seed, prismatic, task, data):

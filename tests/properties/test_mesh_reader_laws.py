@@ -20,6 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 import mesh_readers
 
 
+@pytest.mark.slow
 @examples(50)
 @given(kind=st.sampled_from(mesh_readers.FORMATS), seed=st.integers(0, 2**32))
 def test_a_body_is_where_it_was_drawn(kind, seed):

@@ -78,6 +78,7 @@ def random_q(model, rng, count, wide=1.5):
     return q
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("one", "two", "still"), PAIRS)
 def test_distances_and_verdicts_are_coal_s(one, two, still, rng):
     """To 1e-9 where they are apart, in sign where they touch; coal is asked for none of them."""
@@ -111,6 +112,7 @@ def test_the_order_of_two_bodies_does_not_matter(one, two, rng):
     np.testing.assert_array_equal(turned.in_collision_rows(other), model.in_collision_rows(q))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("one", "two", "still"),
     [

@@ -209,6 +209,7 @@ def test_no_value_raises_a_foreign_error_or_takes_long(calls):
     assert wrong == {}
 
 
+@pytest.mark.slow
 def test_a_step_with_nan_brakes_and_says_so(calls):
     """NaN in a measured position or a target is an ordinary event of a control loop: a status, not an exception."""
     controller = calls["Controller.step"].function.__self__
@@ -246,6 +247,7 @@ def test_odd_calls_of_the_reviews(call, message):
         call()
 
 
+@pytest.mark.slow
 def test_odd_figures_of_the_reviews(calls):
     motion = calls["torque_use"].arguments["trajectory"]
     path, kinematics = calls["path_cost"].arguments["path"], PUSHED.kinematics()

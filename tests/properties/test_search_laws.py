@@ -64,6 +64,7 @@ def test_optimum_is_that_of_brute_force(closed, forced):
     assert GRAPHS / 10 < connected < GRAPHS / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_preferred_paths_are_those_of_brute_force(closed):
     rng = np.random.default_rng(3 + closed)
@@ -90,6 +91,7 @@ def test_preferred_paths_are_those_of_brute_force(closed):
         np.testing.assert_allclose(found.length, min(layered.length(layers, path) for path in ties), rtol=1e-12, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_smallest_epsilon_is_that_of_brute_force(closed):
     rng = np.random.default_rng(5 + closed)
@@ -122,6 +124,7 @@ def reaches(layers, position, epsilon):
     return here.any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_anytime_results_close_in_on_the_optimum(closed, forced):
     rng = np.random.default_rng(9 + closed)
@@ -142,6 +145,7 @@ def test_anytime_results_close_in_on_the_optimum(closed, forced):
     assert steps > 0 or not forced
 
 
+@pytest.mark.slow
 @examples(30)
 @given(st.integers(0, 2**32 - 1))
 def test_threads_do_not_change_the_optimum(seed):
@@ -251,6 +255,7 @@ def test_all_places_for_an_interruption_are_offered_from_the_middle_out():
     assert set(found.others) == {(0, 3, 8), (0, 5, 8)}
 
 
+@pytest.mark.slow
 def test_the_minimum_from_each_first_candidate_is_that_of_brute_force():
     rng = np.random.default_rng(11)
     reached = lost = 0
@@ -270,6 +275,7 @@ def test_the_minimum_from_each_first_candidate_is_that_of_brute_force():
     assert reached > 100 and lost > 100
 
 
+@pytest.mark.slow
 def test_gaps_are_where_the_way_from_the_start_ends_and_the_way_to_the_next_position_begins():
     rng, seen = np.random.default_rng(5), 0
     for _ in range(300):
@@ -291,6 +297,7 @@ def test_gaps_are_where_the_way_from_the_start_ends_and_the_way_to_the_next_posi
     assert seen > 10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_paths_within_one_label_are_the_best_of_each_label_alone(closed):
     rng = np.random.default_rng(7 + closed)

@@ -107,6 +107,7 @@ def assert_limits_hold(limits, q, v, dt):
     assert (np.abs(np.diff(v, axis=0)) <= limits.acceleration * dt + 1e-12 * scale + rounding).all()
 
 
+@pytest.mark.slow
 @examples(40)
 @given(seeds, st.floats(1e-3, 0.05), st.sampled_from(sorted(CHOICES)))
 def test_from_a_viable_state_no_choice_within_the_bounds_exceeds_a_limit(seed, dt, choice):
@@ -117,6 +118,7 @@ def test_from_a_viable_state_no_choice_within_the_bounds_exceeds_a_limit(seed, d
     assert_limits_hold(limits, path, speed, dt)
 
 
+@pytest.mark.slow
 @examples(40)
 @given(seeds, st.floats(1e-3, 0.05), st.sampled_from(sorted(CHOICES)))
 def test_from_rest_no_choice_within_the_bounds_exceeds_a_jerk_limit(seed, dt, choice):
@@ -188,12 +190,14 @@ def test_the_velocity_does_not_depend_on_the_time_step(panda, formulation, rng):
         np.testing.assert_allclose(fast, slow, rtol=1e-9, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("formulation", [mp.formulations.Objective(alpha=2e3), mp.formulations.Equality(alpha=5e5)], ids=str)
 def test_with_the_paper_s_alpha_it_does(panda, formulation):
     slow, fast = velocities(free(panda), formulation, panda.neutral)
     assert np.abs(fast - slow).max() > 0.1 * np.abs(slow).max()
 
 
+@pytest.mark.slow
 def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_manipulability(panda):
     """With rows twice as long, Q_δ a quarter and r twice, all of the cost is the same; Equality's is not."""
     robot, target = free(panda), panda.kinematics().pose(panda.neutral)
@@ -212,6 +216,7 @@ def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_manipulability
     assert np.abs(answers["equality", 2.0] - answers["equality", 1.0]).max() > 1e-3
 
 
+@pytest.mark.slow
 def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_its_measure(planar, rng):
     """Weights four times as large double the Frobenius norm; with r doubled, the step is the same. Equality's is not."""
     robot = free(planar)
@@ -235,6 +240,7 @@ def test_the_velocity_of_log_drive_does_not_depend_on_the_unit_of_its_measure(pl
 NUMBERS = st.sampled_from([0.0, 1.0, -1.0, 1e-300, 1e6, -1e12, np.inf, np.nan]) | st.floats(-1e3, 1e3)
 
 
+@pytest.mark.slow
 @examples(60)
 @given(
     target=st.lists(NUMBERS, min_size=16, max_size=16),

@@ -109,6 +109,7 @@ def changed_plan(planar):
     return made_plan(robot, mp.JointPath.line([0.1, 0.5, 0.7], [0.9, 1.0, 0.4]), scene=scene)
 
 
+@pytest.mark.slow
 def test_an_arm_with_another_base_tool_and_part_comes_back(changed_plan, tmp_path):
     changed_plan.save(tmp_path)
     again = mp.Plan.load(tmp_path)
@@ -119,6 +120,7 @@ def test_an_arm_with_another_base_tool_and_part_comes_back(changed_plan, tmp_pat
     np.testing.assert_allclose(again.scene.distances(again.robot, q), changed_plan.scene.distances(changed_plan.robot, q))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("other", ["tip", "block", "base", "shape"])
 def test_an_arm_that_was_changed_otherwise_is_refused(changed_plan, planar, tmp_path, other):
     changed_plan.save(tmp_path)
@@ -320,6 +322,7 @@ def test_the_fingerprint_is_the_product_of_exponentials(seed, prismatic):
     np.testing.assert_allclose(pose @ home, data.oMf[arm.model.getFrameId("tool")].homogeneous, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_mesh_that_is_gone(planar, small_plan, tmp_path):
     mesh = tmp_path / "part.stl"
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]) * 0.1
@@ -447,6 +450,7 @@ def test_a_changed_file_with_its_checksum_is_told(small_plan, tmp_path, change, 
         mp.Plan.load(tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", [("robot", "limits", "velocity", 0), ("trajectory", "q", 3, 1), ("report", "clearance")])
 def test_no_number_can_be_changed_unnoticed(small_plan, tmp_path, place):
     small_plan.save(tmp_path)
@@ -460,6 +464,7 @@ def test_no_number_can_be_changed_unnoticed(small_plan, tmp_path, place):
         mp.Plan.load(tmp_path)
 
 
+@pytest.mark.slow
 def test_wrong_places_are_told(small_plan, tmp_path):
     with pytest.raises(mp.errors.FileFormatError, match="an existing file"):
         mp.Plan.load(tmp_path / "nowhere")

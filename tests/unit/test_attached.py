@@ -27,6 +27,7 @@ def poses(robot, q):
     return robot.kinematics(compiled=False).pose(q)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [OFFSET, OFFSET.homogeneous])
 def test_a_tool_frame_is_posed_in_the_one_before(panda, qs, given):
     tool = panda.with_tool(given, name="nozzle")
@@ -38,6 +39,7 @@ def test_a_tool_frame_is_posed_in_the_one_before(panda, qs, given):
         tool.with_tool(OFFSET, name="nozzle")
 
 
+@pytest.mark.slow
 def test_the_base_stands_elsewhere(panda, qs):
     moved = panda.at(BASE)
     np.testing.assert_allclose(poses(moved, qs), BASE.homogeneous @ poses(panda, qs), atol=1e-12)
@@ -121,6 +123,7 @@ def test_a_part_of_several_shapes(panda):
     assert list(panda.attach(mp.Sphere(radius=0.1, name="cup")).carried) == ["cup"]
 
 
+@pytest.mark.slow
 def test_the_floor_of_an_mjcf_stays(tmp_path):
     file = tmp_path / "arm.xml"
     file.write_text(
@@ -155,6 +158,7 @@ def test_detach_gives_the_arm_back(panda, demo_problem, qs):
         empty.detach()
 
 
+@pytest.mark.slow
 def test_a_part_is_lifted_from_a_table(panda):
     """What stands on the table becomes carried: it may touch the table, but nothing else."""
     q = panda.neutral
@@ -192,6 +196,7 @@ def test_a_part_that_needs_room_changes_the_plan(panda):
     assert plan.report.passed and least(plan.path) > 0 > least(free)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("copied", [copy.deepcopy, lambda robot: pickle.loads(pickle.dumps(robot))])
 def test_copies_keep_what_was_changed(panda, qs, copied):
     robot = panda.at(BASE).with_tool(OFFSET).attach(mp.Sphere(radius=0.1, position=(0, 0, 0.1)), name="ball")

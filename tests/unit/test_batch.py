@@ -20,6 +20,7 @@ def one_by_one(kinematics, quantity, q):
     return np.array([getattr(kinematics, quantity)(each) for each in q])
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("task", [mp.Task.pose(), mp.Task.pointing(), mp.Task.position()], ids=lambda task: task.name)
@@ -63,6 +64,7 @@ def test_what_is_not_finite_is_found(panda, compiled, bad):
             kinematics.manipulability(q)
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_far_angles_and_prismatic_joints(rng):
     """Angles far from zero lose no digits, and lengths are not turned back."""
@@ -86,6 +88,7 @@ def test_index_to_ten_digits_against_pinocchio(panda, rng):
     np.testing.assert_allclose(kinematics.manipulability(q), oracle, rtol=1e-10)
 
 
+@pytest.mark.slow
 def test_without_compiler(no_compiler, rng):
     panda = mp.load_robot("panda")
     assert find_compiler() is None
@@ -172,6 +175,7 @@ def test_the_inverse_is_that_of_a_division(rng):
         np.testing.assert_array_equal(values_of(BatchKernel(function, compiled, "a test"), q, 1)[0], expected)
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_machine_code_is_built_when_it_pays_off(monkeypatch, tmp_path, panda, rng):
     monkeypatch.setenv("MANIPPLAN_CACHE", str(tmp_path))

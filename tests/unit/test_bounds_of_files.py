@@ -75,6 +75,7 @@ def test_clouds_of_many_points_ask_for_a_spacing():
     assert len(mp.PointCloud(points=points, radius=0.01, spacing=0.1).kept) <= 1000
 
 
+@pytest.mark.slow
 def test_a_face_of_many_corners_is_refused(tmp_path):
     file = tmp_path / "a.obj"
     file.write_bytes(file_bombs.obj_polygon(20_000))

@@ -83,6 +83,7 @@ def test_a_tray_is_carried_on_from_where_the_hands_took_it(baxter, waiter, scene
     np.testing.assert_array_equal(plan.path.start, taken.path.goal)
 
 
+@pytest.mark.slow
 def test_a_time_limit_that_is_too_short_for_both_arms_is_said(waiter, scene):
     plan = mp.carry(waiter, WAY, GRASPS, scene, time_limit=0.05, throw=False)
     assert plan.status is mp.Status.NOT_IN_TIME and plan.trajectory is None
@@ -144,6 +145,7 @@ def test_wrong_grasps(baxter, grasps, message):
         mp.carry(baxter, way, grasps, positions=5, samples=6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("options", "argument"),
     [

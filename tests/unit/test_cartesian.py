@@ -172,6 +172,7 @@ def test_a_file_gives_the_path_through_its_poses(tmp_path):
         np.testing.assert_allclose(mp.CartesianPath.from_csv(name).sample(20), expected.sample(20), atol=1e-9)
 
 
+@pytest.mark.slow
 @given(order=st.permutations(range(7)))
 @settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_columns_are_found_by_their_names(tmp_path, order):

@@ -66,6 +66,7 @@ def test_figures_are_those_of_dense_samples(arm, motion):
     assert (report.power, report.floor, report.measure) == (2.0, 0.0, "smallest_singular_value")
 
 
+@pytest.mark.slow
 def test_a_plan_has_the_figures_of_its_trajectory(demo_problem, demo_plan):
     found = mp.check(
         demo_problem.robot, demo_plan.trajectory, demo_problem.scene, start=demo_problem.start, goal=demo_plan.path.goal
@@ -130,6 +131,7 @@ def test_a_collision_names_its_bodies_and_time(arm, motion):
     assert scene.in_collision(arm, motion(at)) and report.clearance < 0
 
 
+@pytest.mark.slow
 def test_a_graze_between_the_samples_is_found(arm, motion):
     """A ball that the tip touches for less than the 1 mrad between samples: the proof finds what these miss."""
     t = np.linspace(0.0, motion.duration, 40_001)
@@ -236,6 +238,7 @@ def test_a_motion_that_stands_still_is_judged(arm):
     assert not mp.check(arm, still, SCENE, goal=GOAL).passed
 
 
+@pytest.mark.slow
 def test_reports_have_a_way_back(six, seam, arm, motion, demo_plan, tmp_path):
     path, along_seam = seam
     for report in (mp.check(six, along_seam, path=path), mp.check(arm, motion, clearance=9.0), demo_plan.report):

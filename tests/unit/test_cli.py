@@ -188,6 +188,7 @@ def test_follow_writes_all_files(six_file, seam, tmp_path, capsys):
     assert shares == sorted(shares) and shares[-1] == 100
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "code", "message"),
     [
@@ -230,6 +231,7 @@ def motion_file(arm_file, tmp_path_factory):
     return str(file)
 
 
+@pytest.mark.slow
 def test_check_tells_by_its_exit_code_whether_a_motion_passes(arm_file, motion_file, tmp_path, capsys):
     scene = tmp_path / "scene.yaml"
     scene.write_text("obstacles:\n- {shape: sphere, radius: 0.2, position: [0.3, 2.4, 0.1], name: ball}\n")

@@ -70,6 +70,7 @@ def test_fewer_points_cover_all_that_was_covered(rng):
     assert (cKDTree(thin.kept).query(points)[0] <= np.sqrt(3) * 0.1 + 1e-12).all()
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_points_survive_moves_and_pickle():
     cloud = mp.PointCloud(points=np.random.default_rng(0).random((100_000, 3)), radius=0.005)
     tree = cloud.parts()[0].shape

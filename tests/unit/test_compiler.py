@@ -361,6 +361,7 @@ def test_a_build_that_hangs_is_given_up_with_its_children(folder, compiler, shor
     assert not list(folder.glob("building-*"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("named", [True, False])
 def test_a_compiler_that_never_tells_its_version_is_given_up(folder, monkeypatch, short_limits, tmp_path, named):
     child, script = tmp_path / "child", tmp_path / "bin" / "cc"

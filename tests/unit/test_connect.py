@@ -75,6 +75,7 @@ def test_two_crossings_more_are_taken_where_none_is_not_enough():
         mp.seed_path(arm, *ENDS, NARROW, same_aspect=True, seeding=mp.Seeding(time_limit=1.0))
 
 
+@pytest.mark.slow
 def test_the_time_limit_holds_for_an_enclosed_goal(monkeypatch):
     arm = two_links([-3.0, -2.6], [3.0, 1.6])
     wall = mp.Scene([mp.Cylinder(radius=0.03, length=1.0, position=(0.5 * np.cos(1.0), 0.5 * np.sin(1.0), 0.0), name="post")])
@@ -146,6 +147,7 @@ def eggs(tmp_path):
     return arm, mp.Scene([mp.Cylinder(radius=0.05, length=0.5, position=(1.05, 0.0, 0.3), name="post")])
 
 
+@pytest.mark.slow
 def test_coal_decides_what_the_kernel_cannot(eggs):
     arm, scene = eggs
     task = task_of(arm, scene, [-1.0, 0.0], [1.0, 0.0])
@@ -154,6 +156,7 @@ def test_coal_decides_what_the_kernel_cannot(eggs):
     assert_free(scene, arm, way)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
 def test_an_error_of_coal_s_answer_is_raised(eggs, monkeypatch, error):
     arm, scene = eggs
@@ -185,6 +188,7 @@ def test_the_time_limit_holds_where_coal_is_slow(eggs, planner, monkeypatch):
     assert work_time() - began < 0.6 + 0.6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 def test_a_motion_is_free_where_all_its_samples_are(name, panda, ur5, rng):
     """Against the batch check of every sample, and the signs of every factor of det J."""

@@ -165,6 +165,7 @@ def test_a_level_cup(panda, level):
     assert plan.status.ok
 
 
+@pytest.mark.slow
 def test_constraints_that_nothing_meets_change_nothing(panda, level):
     start, goal, _ = level
     wide = [mp.TiltLimit((0, 0, 1), DOWN, 3.0), mp.PositionBox((-5, -5, -5), (5, 5, 5))]
@@ -209,6 +210,7 @@ def test_the_search_is_given_a_users_rows_and_their_gradients(panda, level):
     np.testing.assert_allclose(found[:, kept.own.count :], kept.gradients(q).reshape(2, -1))
 
 
+@pytest.mark.slow
 def test_held_joints_do_not_move(panda):
     goal = panda.neutral + [0.5, 0.3, 0.0, 0.4, 0.0, 0.2, 0.3]
     constraints = [mp.HeldJoints(["panda_joint3", "panda_joint5"])]
@@ -348,6 +350,7 @@ def test_where_constraints_are_not_possible(panda, level):
         mp.plan(panda, start, goal, constraints=[NoColumn()])
 
 
+@pytest.mark.slow
 def test_no_way_inside_a_limit_says_so(panda, level):
     """One joint alone does not bring the hand around a post."""
     start = level[0]

@@ -71,6 +71,7 @@ def test_keys_are_the_same_in_every_process():
     assert len(found) == 1
 
 
+@pytest.mark.slow
 def test_work_with_a_robot_does_not_change_its_key(panda):
     robot = mp.load_robot("panda")
     before = robot_key(robot)
@@ -93,6 +94,7 @@ def changed_robots(panda):
     yield replace(panda, model=heavier)
 
 
+@pytest.mark.slow
 def test_another_robot_has_another_key(panda):
     keys = [robot_key(robot) for robot in (panda, *changed_robots(panda))]
     assert len(set(keys)) == len(keys)

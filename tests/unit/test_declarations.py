@@ -26,6 +26,7 @@ STRUCTS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("source", STRUCTS)
 def test_structs_are_laid_out_as_the_compiler_does(source, tmp_path):

@@ -85,6 +85,7 @@ def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_p
         assert across @ curvature @ across == pytest.approx(measured, rel=0.05, abs=0.05)
 
 
+@pytest.mark.slow
 def test_the_post_is_touched_at_the_clearance_and_nothing_is_left_to_gain(around_a_post):
     result, true, z = around_a_post
     certificate = result.certificate
@@ -99,6 +100,7 @@ def test_the_post_is_touched_at_the_clearance_and_nothing_is_left_to_gain(around
     assert true.length.value(again.z) == pytest.approx(true.length.value(z), rel=1e-5)
 
 
+@pytest.mark.slow
 def test_a_path_that_keeps_more_than_the_clearance_is_not_optimal(around_a_post):
     """The optimum for 10 mm, measured as a path for 7 mm: the post is 3 mm further away than it has to be."""
     _, true, z = around_a_post

@@ -100,6 +100,7 @@ def test_a_mesh_with_a_vertex_that_is_not_finite(urdf, tmp_path):
         mp.load_robot(urdf(collision(f'<mesh filename="{tmp_path}/m.obj"/>')))
 
 
+@pytest.mark.slow
 def test_the_number_of_bodies_is_bounded(urdf, mjcf):
     assert mp.load_robot(urdf(SPHERE * 200)).geometry.ngeoms == 200
     with pytest.raises(mp.errors.FileFormatError, match="at most 1000 collision elements, not 1001"):

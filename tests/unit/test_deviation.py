@@ -225,6 +225,7 @@ def test_the_nearest_piece_is_found_among_all_also_where_a_path_passes_beside_it
     assert np.median((found[0] + 0.1 * found[1]) / least) == pytest.approx(1.0, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_corners_between_evenly_spaced_poses_are_no_deviation():
     """Poses 21 mm apart on a zigzag of 12 m: of 2000 evenly spaced pieces of it, each corner is beside the middle of one."""
     corners = np.array([[0.5 * k, 0.3 * (k % 2), 0] for k in range(21)])
@@ -252,6 +253,7 @@ def test_a_pose_within_the_tolerance_of_some_pose_of_the_path_is_within_it():
     assert ((position > tolerance.position) | (rotation > tolerance.rotation)).all()
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=50)
 @given(st.floats(0.5, 0.95), st.floats(2.0, 40.0), st.floats(0.0, 0.8), st.integers(1, 8))
 def test_both_parts_are_kept_where_the_sum_is_not_smallest(height, rate, share, fineness):

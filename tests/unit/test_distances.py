@@ -159,6 +159,7 @@ def test_equals_coal(first, second, rng):
     np.testing.assert_allclose(distance, expected, atol=1e-10)
 
 
+@pytest.mark.slow
 @PAIRS
 def test_equals_brute_force(first, second, rng):
     for pairs, tolerance in ((random_pairs(rng, 3000), 1e-12), (awkward_pairs(rng, 6000), 1e-7)):

@@ -326,6 +326,7 @@ FINGER = '<body name="{0}" pos="0 {1} .05"><joint name="{0}_joint" type="slide" 
 JAW = '<body name="jaw" pos="0 .02 .05"><joint name="grip" axis="1 0 0" range="-.2 1.5"/><geom size=".01"/></body>'
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("hand", "tool"),
     [

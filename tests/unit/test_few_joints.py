@@ -169,6 +169,7 @@ def test_recordings_sequences_and_pose_goals_of_such_arms(arm, name):
     np.testing.assert_allclose(robot.kinematics().pose(found.trajectory.q[-1]), pose, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_improve_with_a_task_of_two_directions(arm):
     robot = arm("gantry_xy")
     plan = mp.plan(robot, *ends(robot))

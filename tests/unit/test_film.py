@@ -103,6 +103,7 @@ def test_a_plan_that_stays_where_it_is_is_filmed_too(tmp_path):
         assert film.size[0] == 300
 
 
+@pytest.mark.slow
 def test_what_cannot_be_filmed_is_said_before_anything_is_rendered(reach_plan, planar_plan, tmp_path, monkeypatch):
     for change in ({"width": 100}, {"fps": 0}, {"speed": -1}, {"colours": 1}, {"quality": 101}, {"dark": 1}, {"progress": 3}):
         with pytest.raises(mp.errors.InvalidInputError, match=next(iter(change))):

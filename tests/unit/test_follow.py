@@ -212,6 +212,7 @@ def test_a_path_that_is_singular_everywhere_is_refused():
         mp.follow(arm, CartesianPath.line(begin, end), positions=5, objective=objective)
 
 
+@pytest.mark.slow
 def test_poses_that_one_configuration_meets_are_told(panda, line):
     with pytest.raises(
         mp.errors.InvalidInputError, match="objective: got 'orientation'; allowed: a task for which the arm has to move"

@@ -62,6 +62,7 @@ def test_branches_that_meet_between_samples_are_connected(flappy):
     assert [find_gaps(each, 0.2).parts for each in layers] == [2, 1]
 
 
+@pytest.mark.slow
 def test_positions_are_added_only_where_gaps_have_to_be_closed(flappy):
     robot, path, scene = flappy
     s = choose_positions(path, closed=False)
@@ -139,6 +140,7 @@ def test_a_motion_that_a_joint_limit_ends_names_the_place_the_joint_and_the_reso
     assert "with 2 interruptions there is a motion: interruptions=2 allows them" in found.message
 
 
+@pytest.mark.slow
 def test_a_wall_that_ends_all_motions_is_named():
     panda = mp.load_robot("panda")
     begin = panda.kinematics().pose(panda.states["default"])
@@ -153,6 +155,7 @@ def test_a_wall_that_ends_all_motions_is_named():
 # ---- the time limit
 
 
+@pytest.mark.slow
 def test_a_time_limit_that_is_too_short_finds_nothing_and_says_so(flappy):
     robot, path, scene = flappy
     began = time.monotonic()

@@ -432,6 +432,7 @@ def test_torques_are_those_of_all_bodies(arms, name):
 # ---- control
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["hollow", "palletiser", "upstream"])
 def test_a_controller_moves_the_tool(arms, name):
     _, robot, whole = arms(name)

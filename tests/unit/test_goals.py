@@ -96,6 +96,7 @@ def test_states_of_an_arm_without_any(planar):
         mp.plan(planar, [0, 1.5, -2], "home")
 
 
+@pytest.mark.slow
 def test_a_free_axis_is_free(panda, pose):
     goal = mp.PoseGoal(pose, free_axis=[0, 0, 2.0])
     plan = mp.plan(panda, panda.neutral, goal, POST)
@@ -164,6 +165,7 @@ def test_six_joints_stay_in_their_aspect(ur5):
     assert 4 <= len(plan.candidates) <= 8  # full turns are not listed
 
 
+@pytest.mark.slow
 def test_another_aspect_is_taken_only_where_the_same_is_not_free(ur5):
     goals = [UR5_START * [1, 1, 1, 1, -1, 1] + 0.2, UR5_START * [1, 1, 1, 1, -1, 1]]  # the wrist turned over
     plan = mp.plan(ur5, UR5_START, goals)
@@ -183,6 +185,7 @@ def test_the_nearest_turn_inside_the_limits_is_taken(ur5, panda):
     np.testing.assert_array_equal(nearest_turns(panda, np.full((1, 7), -2.0), np.full(7, 2.8)), np.full((1, 7), -2.0))
 
 
+@pytest.mark.slow
 def test_candidates_reach_their_goals_and_bounds_hold(panda, pose):
     goals = {3: PoseGoal(pose), 5: PoseGoal(moved(pose, by=[0.0, 0.05, 0.0]), free_axis=[0, 0, 1])}
     found = reaching(panda, goals, panda.neutral)
@@ -261,6 +264,7 @@ def test_a_candidate_without_a_path_is_left_out(planar):
     assert nothing.result is None and "2 candidates tried; the first: more walls" in nothing.failure
 
 
+@pytest.mark.slow
 def test_only_a_few_paths_are_planned(planar):
     bounds = np.linspace(0.9, 1.0, 20)
     _, tried = chosen(rows(*bounds), {k: made(planar, 0.1) for k in range(20)})
@@ -298,6 +302,7 @@ def test_what_is_out_of_reach_is_told(panda, pose):
     assert "out of reach" in next(each.status for each in plan.candidates if each.goal_index == 0)
 
 
+@pytest.mark.slow
 def test_the_distance_out_of_reach_is_that_beyond_the_arm(planar):
     goal = np.eye(4)
     goal[0, 3] = 3.4
@@ -312,6 +317,7 @@ def test_the_distance_out_of_reach_is_that_beyond_the_arm(planar):
     assert len(within.reaching) and not len(found.reaching)
 
 
+@pytest.mark.slow
 def test_joints_that_stop_a_pose_are_named(planar):
     arm = planar.with_limits(lower=-0.5, upper=0.5)
     goal = tool_of(planar, [0.4, 0.4, 0.9])
@@ -330,6 +336,7 @@ def test_colliding_candidates_are_counted(panda):
         mp.plan(panda, panda.neutral, [THROUGH, [9.0, 0, 0, -2, 0, 2, 0]], POST)
 
 
+@pytest.mark.slow
 def test_solutions_outside_the_limits_are_told(ur5):
     goal = tool_of(ur5, UR5_START + [0.6, 0.3, -0.3, 0.2, 0.3, 0.5])
     tight = ur5.with_limits(lower=UR5_START - 1.0, upper=UR5_START + 1.0)
@@ -353,6 +360,7 @@ def test_two_links_reach_a_pose_or_a_place():
     assert {round(each.q[1], 6) for each in free.candidates} == {0.9, -0.9}
 
 
+@pytest.mark.slow
 def test_five_joints_point_and_use_a_tolerance():
     arm = mp.load_robot("so100")
     q = arm.neutral + [0.3, 0.2, -0.2, 0.3, 0.4]
@@ -436,6 +444,7 @@ def test_a_wrong_start_raises_before_goals_are_solved(panda, pose):
         mp.plan(panda, [9.0, 0, 0, -2, 0, 2, 0], pose, POST)
 
 
+@pytest.mark.slow
 def test_an_end_beside_the_pose_fails_the_check(panda, pose, monkeypatch):
     monkeypatch.setattr(PoseGoal, "missed_by", lambda *_: "the tool ends 3 mm and 0° from the pose of the goal")
     with pytest.raises(mp.errors.PlanningError, match="the tool ends 3 mm"):
@@ -456,6 +465,7 @@ def test_a_missed_pose_is_measured(panda, pose):
 # many, files, shell
 
 
+@pytest.mark.slow
 def test_many_problems_take_all_forms(panda, pose, plan_to_pose):
     problems = [
         mp.Problem(robot=panda, start="default", goal=goal, scene=POST)

@@ -58,6 +58,7 @@ def log(recording, *, unit=1.0, order=1, prefix="q_", more=()):
     return [head, *(",".join([*map(repr, map(float, row)), *("1" for _ in more)]) for row in rows)]
 
 
+@pytest.mark.slow
 def test_every_figure_is_better_in_the_same_time(panda, recording, plan):
     assert plan.status is mp.Status.IMPROVED and plan.report.passed and plan.status.ok
     assert plan.trajectory.duration == recording.duration
@@ -74,6 +75,7 @@ def test_every_figure_is_better_in_the_same_time(panda, recording, plan):
     np.testing.assert_allclose(plan.trajectory.qd[[0, -1]], 0.0, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_the_tool_stays_inside_the_tolerance_of_every_recorded_pose(panda, recording, plan):
     pose = panda.kinematics().pose
     first, second = pose(recording.q), pose(plan.trajectory(np.minimum(recording.t, plan.trajectory.duration)))
@@ -98,6 +100,7 @@ def test_the_comparison_is_printed_and_saved(plan, tmp_path):
     assert (tmp_path / "report.txt").read_text() == f"{text}\n"
 
 
+@pytest.mark.slow
 def test_another_duration_is_kept(panda, recording):
     for duration in (2.5, 6.0):
         plan = mp.improve(panda, recording, duration=duration)
@@ -139,12 +142,14 @@ def test_a_tight_tolerance_on_a_planned_motion_ends(panda, size):
     assert mp.improve(panda, recorded, tolerance=mp.Tolerance(position=1e-3, rotation=size)).report.passed
 
 
+@pytest.mark.slow
 def test_jerk_limits_are_kept(panda, recording):
     calm = panda.with_limits(jerk=6.0)
     plan = mp.improve(calm, recording, duration=4.2)
     assert plan.report.passed and plan.report.limits["jerk"].ratio <= 1 + 1e-6
 
 
+@pytest.mark.slow
 def test_obstacles_are_avoided(panda, recording, plan):
     """A ball beside the tool's way, which the improved motion of an empty scene would touch."""
     model = panda.kinematics()
@@ -176,6 +181,7 @@ def test_a_recording_through_an_obstacle_fails(panda, recording):
         mp.improve(panda, recording, scene)
 
 
+@pytest.mark.slow
 def test_a_generous_time_limit_changes_nothing(panda, recording, plan):
     again = mp.improve(panda, recording, tolerance=TUBE, time_limit=600.0)
     np.testing.assert_array_equal(again.trajectory.q, plan.trajectory.q)
@@ -196,6 +202,7 @@ def clean(panda):
     return mp.retime(mp.JointPath.line(panda.neutral, panda.neutral + 0.3), panda).slower(2.0)
 
 
+@pytest.mark.slow
 def test_a_motion_that_was_not_improved_in_time_says_so(panda):
     motion = mp.improve(panda, clean(panda), time_limit=1e-6)
     assert motion.status is mp.Status.SMOOTHED_OUT_OF_TIME and motion.report.passed
@@ -203,6 +210,7 @@ def test_a_motion_that_was_not_improved_in_time_says_so(panda):
     assert mp.improve(panda, clean(panda)).status is mp.Status.IMPROVED
 
 
+@pytest.mark.slow
 def test_a_motion_that_was_not_found_in_time_says_so(panda):
     """A ball that touches the recorded way, but not what the tolerance allows."""
     recorded = clean(panda)
@@ -223,6 +231,7 @@ def test_wrong_time_limits_are_refused(panda, recording, limit):
         mp.improve(panda, recording, time_limit=limit)
 
 
+@pytest.mark.slow
 def test_a_log_in_degrees_with_other_columns_in_another_order(panda, recording, plan, tmp_path):
     file = tmp_path / "log.csv"
     for prefix in ("q_", ""):
@@ -307,6 +316,7 @@ def test_a_tolerance_below_the_noise_is_refused_with_the_smallest_one(panda, rec
     assert plan.report.passed and plan.comparison.deviation.position <= least
 
 
+@pytest.mark.slow
 def test_only_what_the_task_holds_counts(panda, recording):
     task = mp.PathObjective(task=mp.Task.position())
     plan = mp.improve(panda, recording, tolerance=mp.Tolerance(position=0.005, rotation=0.01), objective=task)
@@ -319,6 +329,7 @@ def test_only_what_the_task_holds_counts(panda, recording):
     assert np.arccos((np.trace(turn, axis1=1, axis2=2).min() - 1) / 2) > 0.05
 
 
+@pytest.mark.slow
 def test_a_motion_that_does_not_end_at_rest_keeps_its_speed(planar):
     recorded = recorded_by(planar, lambda t: np.stack([0.3 + 0.3 * t, 0.6 + 0.0 * t, 0.7 - 0.1 * t], axis=-1), 2.0, noise=1e-5)
     plan = mp.improve(planar, recorded)
@@ -326,6 +337,7 @@ def test_a_motion_that_does_not_end_at_rest_keeps_its_speed(planar):
     assert plan.report.passed
 
 
+@pytest.mark.slow
 def test_a_planned_path_is_timed_first(planar):
     path = mp.JointPath.line([0.3, 0.6, 0.7], [0.9, 0.3, 0.4])
     plan = mp.improve(planar, path)

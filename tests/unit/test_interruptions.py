@@ -76,6 +76,7 @@ def test_parts_of_the_path_are_followed_and_cover_it(panda, circle, table, plan)
         assert part.min_manipulability == pytest.approx(least, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_the_tool_leaves_the_path_and_comes_back_straight(panda, plan):
     begin, end = plan.off_path[1]
     _, poses = tool(panda, plan, begin, end)
@@ -102,6 +103,7 @@ def test_check_judges_the_parts(panda, circle, table, plan, tmp_path):
     assert isinstance(draw_figure(plan), Figure)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("change", "match"),
     [
@@ -129,6 +131,7 @@ def test_parts_that_do_not_fit_are_refused(panda, circle, plan, change, match):
         mp.check(panda, plan.trajectory, path=circle, path_parts=change(list(plan.report.along)))
 
 
+@pytest.mark.slow
 def test_parts_beyond_the_end_need_a_closed_path(panda, plan):
     away = np.eye(4)
     away[0, 3] = 0.1
@@ -138,6 +141,7 @@ def test_parts_beyond_the_end_need_a_closed_path(panda, plan):
         mp.check(panda, plan.trajectory, path=line, path_parts=parts)
 
 
+@pytest.mark.slow
 def test_parts_need_a_path_and_no_other_begin(panda, circle, plan):
     along = plan.report.along
     with pytest.raises(mp.errors.InvalidInputError, match="path_parts"):

@@ -150,6 +150,7 @@ def test_answers_are_sound(arm, rng, name):
         assert apart(robot, found.for_pose(k), each).min() < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "xarm7", "kinova", "z1", "talos_right_arm", "tiago"])
 def test_random_starts_find_no_more_and_no_less(arm, rng, name):
     robot = arm(name).with_limits(lower=np.maximum(arm(name).limits.lower, -3.1), upper=np.minimum(arm(name).limits.upper, 3.1))
@@ -163,6 +164,7 @@ def test_random_starts_find_no_more_and_no_less(arm, rng, name):
         assert same_set(robot, closed.q, brute.q)
 
 
+@pytest.mark.slow
 def test_random_starts_find_what_the_swivel_finds(arm, rng):
     """Held first joint: another way to cut the same continuum; each of its answers has its swivel."""
     robot = arm("simple_humanoid_right_arm")
@@ -173,6 +175,7 @@ def test_random_starts_find_what_the_swivel_finds(arm, rng):
             assert apart(robot, mp.inverse_kinematics(robot, pose_of(robot, q), swivel).q, each).min() < 1e-6
 
 
+@pytest.mark.slow
 def test_without_turns_sliding_joints_and_held_ones_stay(arm, rng):
     tiago = arm("tiago")
     pose = pose_of(tiago, tiago.random_configuration(rng))
@@ -200,6 +203,7 @@ def test_every_full_turn_is_listed(ur5, rng):
         assert apart(ur5, without.q, row).min() < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "joint", "skew"),
     [
@@ -244,6 +248,7 @@ def test_the_elbow_of_a_spherical_arm_cannot_be_held(arm, name):
         mp.inverse_kinematics(robot, pose_of(robot, robot.neutral), held=[robot.joint_names[3]])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "count"), [("baxter_left", 6), ("so100", 10)])
 def test_arms_without_a_closed_form(arm, rng, name, count):
     robot = arm(name)
@@ -301,6 +306,7 @@ def test_a_free_motion_of_the_tool_is_sampled(ur5, rng, task, names, fixed):
     assert np.linalg.norm(reached - pose, axis=(1, 2)).max() > 0.1
 
 
+@pytest.mark.slow
 def test_held_joints_of_a_long_planar_arm():
     arm = mp.planar_arm([0.5] * 8)
     q = np.linspace(0.1, 0.8, 8)
@@ -312,6 +318,7 @@ def test_held_joints_of_a_long_planar_arm():
 # singular poses, the boundary of reach, and beyond
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("q5", [0.0, 1e-12, 1e-9, 1e-7, 1e-5])
 @pytest.mark.parametrize("name", ["ur5", "z1", "kinova"])
 def test_wrist_axes_in_line(arm, rng, name, q5):
@@ -337,6 +344,7 @@ def test_arm_stretched(arm, elbow):
     assert len(found) and np.abs(found.q[:, 3] + elbow).min() < 2e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "panda", "talos_right_arm"])
 def test_on_the_boundary_of_reach_and_just_beyond(arm, name):
     robot = arm(name)
@@ -358,6 +366,7 @@ def test_on_the_boundary_of_reach_and_just_beyond(arm, name):
         assert len(beyond) == 0 and beyond.q.shape == (0, robot.n) and beyond.complete == "exact"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["baxter_left", "so100"])
 def test_out_of_reach_by_random_starts(arm, name):
     robot = arm(name)
@@ -367,6 +376,7 @@ def test_out_of_reach_by_random_starts(arm, name):
     assert len(found) == 0 and found.complete == "statistical"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "z1", "talos_right_arm", "simple_humanoid_right_arm", "ur5", "xarm7"])
 def test_configurations_on_their_limits(arm, rng, name):
     """Rounding puts an answer outside a limit by 1e-16 as often as inside."""
@@ -575,6 +585,7 @@ def test_a_slider_without_limits_is_refused():
         mp.inverse_kinematics(robot.with_limits(**limits), np.eye(4))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["closed-form", "newton"])
 def test_no_poses_have_no_answers(method):
     found = mp.inverse_kinematics(mp.load_robot("panda"), np.zeros((0, 4, 4)), samples=2, method=method)
@@ -618,6 +629,7 @@ def test_singular_poses_of_arms_without_a_closed_form(kinds, size, tmp_path, rng
         assert found.residual.max() <= 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "xarm7"])
 def test_full_turns_of_few_solutions_are_all_solutions(name, rng, request):
     """Each solution that is listed at several full turns comes from the one with the smallest values."""

@@ -128,6 +128,7 @@ def test_a_kernel_is_loaded_once():
     assert load_kernel("curves") is load_kernel("curves")
 
 
+@pytest.mark.slow
 def test_the_code_lives_as_long_as_its_functions():
     call = kernel_by_llvm("winding").functions()["winding"]
     gc.collect()
@@ -195,6 +196,7 @@ def test_a_build_hook_makes_wheels_with_and_without_the_library(tmp_path):
     assert pure == [True, True, compiler.find_compiler() is None]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KERNELS)
 def test_llvm_compiles_each_kernel(name):
     """The functions are there by the same names."""

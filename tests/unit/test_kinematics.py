@@ -195,6 +195,7 @@ def oracle_gradient(robot, q):
     return m * np.array([np.trace(inverse @ derivative[:, :, k] @ jacobian.T) for k in range(robot.n)])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "xarm7", "baxter_left", "talos_torso_right_arm", "ur10"])
 def test_gradient_and_hessian_equal_the_papers(name, rng):
     """(18) to rounding, (17) and (19) to the error of their differences."""

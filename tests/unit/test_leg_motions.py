@@ -41,6 +41,7 @@ def test_a_pose_between_positions_out_of_reach_is_not_for_every_start(planar, st
     assert (failure.message, failure.always) == ("path, s = 0.25 is not a pose within reach", False)
 
 
+@pytest.mark.slow
 def test_a_pose_between_positions_that_no_configuration_reaches_is_named(planar, step, state, monkeypatch):
     layers = sample_layers(planar, step.path, 4)
     apart = mp.Layers(q=(layers.q[0], layers.q[1] + 3.0, *layers.q[2:]), m=layers.m, s=layers.s, continuous=layers.continuous)

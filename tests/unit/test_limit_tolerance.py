@@ -32,6 +32,7 @@ def beyond(robot, joint, above, off, q):
     return q
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(joint=st.integers(0, 2), above=st.booleans(), off=offsets, tolerance=st.sampled_from([1e-6, 1e-4, 0.02]))
 def test_what_is_within_the_tolerance_is_taken_to_the_limit(joint, above, off, tolerance):

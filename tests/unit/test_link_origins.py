@@ -62,6 +62,7 @@ def test_large_robots_load(tmp_path, origins, options):
     assert mp.Robot.from_urdf(write(tmp_path / "arm.urdf", origins, **options)).n == len(origins)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None)
 @given(lengths=LENGTHS, number=st.integers(0, 7))
 def test_one_origin_in_millimetres_among_others_in_metres(tmp_path_factory, lengths, number):
@@ -74,6 +75,7 @@ def test_one_origin_in_millimetres_among_others_in_metres(tmp_path_factory, leng
         mp.Robot.from_urdf(file)
 
 
+@pytest.mark.slow
 def test_an_mjcf_body_in_millimetres_is_refused(tmp_path):
     pytest.importorskip("mujoco")
     file = tmp_path / "arm.xml"

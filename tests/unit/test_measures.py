@@ -131,6 +131,7 @@ def test_singular_values_of_hard_matrices():
         np.testing.assert_allclose(np.asarray(values(matrix)).ravel(), expected, rtol=1e-12, atol=2e-15 * expected[0])
 
 
+@pytest.mark.slow
 def test_golden_numbers_of_the_panda(panda):
     """Numbers that the Robotics Toolbox for Python holds in its tests."""
     q = [0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4]

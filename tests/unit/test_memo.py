@@ -78,6 +78,7 @@ def test_arguments_that_cannot_be_stored_are_refused(counted):
         scaled(Owner(3), [2])
 
 
+@pytest.mark.slow
 def test_a_pair_s_result_lives_as_long_as_both():
     """The result may refer to its owner."""
 
@@ -105,6 +106,7 @@ def test_a_pair_s_result_lives_as_long_as_both():
     assert left[1]() is None
 
 
+@pytest.mark.slow
 def test_scenes_and_robots_that_are_gone_leave_no_collision_models():
     robot, scene = mp.planar_arm([1.0, 1.0]), mp.Scene([mp.Sphere(radius=0.1, position=(3.0, 0.0, 0.0))])
     carrying = [robot.attach(mp.Sphere(radius=0.1), name="part") for _ in range(3)]

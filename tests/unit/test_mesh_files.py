@@ -97,6 +97,7 @@ def test_a_name_of_a_mesh_that_is_too_long(tmp_path):
         mp.Robot.from_urdf(tmp_path / "arm.urdf", tool="tip")
 
 
+@pytest.mark.slow
 def test_meshes_of_an_mjcf_are_in_mujoco_s_formats(tmp_path):
     (tmp_path / "wedge.stl").write_bytes(MESHES["wedge.stl"])
     (tmp_path / "arm.xml").write_text(samples.MJCF)

@@ -118,6 +118,7 @@ def wrist(folder, before, behind, bend):
     return mp.load_robot(file, tool="tool")
 
 
+@pytest.mark.slow
 def test_a_ring_around_a_rod_is_taken_by_more_pieces(tmp_path, rng):
     """robots.md, fault 6: the pair was left to coal, and plans stopped early after seconds."""
     robot = wrist(tmp_path, tube(0.06, 0.08, 0.05), tube(0.0, 0.04, 0.3), 0.2)

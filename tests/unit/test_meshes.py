@@ -161,6 +161,7 @@ def test_an_arm_can_reach_into_an_open_bin(tmp_path, thickness):
     np.testing.assert_array_equal(filled.in_collision(robot, heights), [True, False, True, True, False])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("triangles", [RING, open_bin(), np.concatenate([SQUARE, BOX + 2.0])])
 def test_distances_are_those_to_the_triangles(triangles, rng):
     parts = mp.Mesh(triangles=triangles).parts()
@@ -579,6 +580,7 @@ def test_scene_files_hold_all_options(tmp_path):
         mp.Scene.from_yaml(tmp_path / "scene.yaml")
 
 
+@pytest.mark.slow
 def test_many_parts_are_quick():
     boxes = (BOX[None] + 3.0 * np.arange(200)[:, None, None, None] * [1, 0, 0]).reshape(-1, 3, 3)
     assert len(mp.Mesh(triangles=boxes).parts()) == 200

@@ -249,6 +249,7 @@ def test_couplings_of_mujoco(mjcf, equality, refs):
     assert robot.locked["b"] != 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("equality", "message"),
     [

@@ -208,6 +208,7 @@ def mujoco_euler(x, y, z):
     return matrix.reshape(3, 3)
 
 
+@pytest.mark.slow
 def test_joint_places_in_defaults(arm, rng):
     judged(arm(before='<default><joint pos=".015 0 .02" axis="0 1 0"/></default>'), rng)
 
@@ -215,6 +216,7 @@ def test_joint_places_in_defaults(arm, rng):
 # ---- roots, world, references, orientations
 
 
+@pytest.mark.slow
 def test_a_free_root_stays_where_the_file_has_it(written, rng, caplog):
     with caplog.at_level(logging.INFO, logger="manipplan"):
         robot = judged(
@@ -242,6 +244,7 @@ POST = """<mujoco><compiler angle="radian"/><worldbody><geom name="post" type="b
    <body name="tip" pos=".2 0 0"/></body></body></body></body></worldbody></mujoco>"""
 
 
+@pytest.mark.slow
 def test_geoms_of_the_world_are_checked_against_the_first_link(written, rng):
     file = written(POST)
     robot, judge = judged(file, rng), Judge(file)
@@ -255,6 +258,7 @@ def test_geoms_of_the_world_are_checked_against_the_first_link(written, rng):
     assert judge.deepest(robot, plan.path) == 0.0
 
 
+@pytest.mark.slow
 def test_a_wall_that_always_touches_is_not_dropped(written):
     """Links that overlap by their shapes are; a geom of the world is an obstacle."""
     file = written(POST.replace('pos=".013 .52 .45"', 'pos=".013 0 .45"').replace('fromto=".1 0 0', 'fromto="0 0 0'))
@@ -263,6 +267,7 @@ def test_a_wall_that_always_touches_is_not_dropped(written):
     assert not mp.Scene().allow("post", "a").in_collision(robot, robot.neutral)
 
 
+@pytest.mark.slow
 def test_geoms_of_the_world_stay_where_they_are(written):
     robot = mp.Robot.from_mjcf(written(POST), velocity=1.0)
     lifted = robot.at(pin.SE3(np.eye(3), np.array([0.0, 0.0, 0.7])))
@@ -271,11 +276,13 @@ def test_geoms_of_the_world_stay_where_they_are(written):
     assert mp.Scene().in_collision(robot, [1.5, 0, 0]) and not mp.Scene().in_collision(lifted, [1.5, 0, 0])
 
 
+@pytest.mark.slow
 def test_references_shift_the_joint_and_not_its_limits(arm, rng):
     robot = judged(arm(j1='ref=".5"', j2='ref="-.3" type="slide"', j3='ref="1.5" pos=".1 0 .05"'), rng)
     np.testing.assert_array_equal(robot.limits.lower, [-3, -2, -2])
 
 
+@pytest.mark.slow
 def test_a_reference_shifts_no_limit(written, rng):
     robot = judged(
         written("""<mujoco><compiler angle="radian"/><worldbody><body name="a"><joint name="j" type="hinge" axis="0 0 1" range="0 2" ref="1"/>
@@ -286,11 +293,13 @@ def test_a_reference_shifts_no_limit(written, rng):
     assert (robot.limits.lower[0], robot.limits.upper[0]) == (0.0, 2.0)
 
 
+@pytest.mark.slow
 def test_slides_are_in_metres_and_hinges_in_degrees(arm, rng):
     robot = judged(arm(compiler="", j2='type="slide"'), rng)
     np.testing.assert_allclose(robot.limits.upper, [np.deg2rad(3), 2, np.deg2rad(2)])
 
 
+@pytest.mark.slow
 def test_ranges_that_do_not_limit(arm, rng):
     robot = judged(arm(j1='limited="false"'), rng)
     assert np.isinf(robot.limits.upper[0]) and robot.joint_types[0] == "continuous"
@@ -302,6 +311,7 @@ def test_sequences_of_euler_angles(arm, rng, sequence):
     judged(arm(compiler=f'<compiler angle="radian" eulerseq="{sequence}"/>', b='euler=".4 .5 .6"'), rng)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turn", ['axisangle="0 2 0 .5"', 'quat="2 0 2 0"', 'xyaxes="2 1 0 0 3 1"', 'zaxis="1 2 3"'])
 def test_orientations_of_any_length(arm, rng, turn):
     judged(arm(b=turn), rng)
@@ -310,6 +320,7 @@ def test_orientations_of_any_length(arm, rng, turn):
 # ---- names
 
 
+@pytest.mark.slow
 def test_names_that_joints_sites_and_bodies_share(arm, rng):
     finger = '<body name="f" pos="0 .02 .1"><joint name="grip" type="slide" range="0 .02"/><geom size=".01"/><site name="grip"/></body>'
     robot = judged(arm(tip=f'{finger}<body name="grip" pos="0 0 .1"><site name="j1" pos="0 0 .01"/></body>'), rng, tool="grip")
@@ -318,6 +329,7 @@ def test_names_that_joints_sites_and_bodies_share(arm, rng):
     assert site.joint_names == ("j1", "j2", "j3", "grip")
 
 
+@pytest.mark.slow
 def test_bodies_joints_and_geoms_without_names(written, rng):
     file = written(f"""<mujoco>{RADIANS}<worldbody><body><geom size=".05"/><body pos="0 0 .2"><joint axis="0 0 1" range="-1 1"/>
     <joint axis="0 1 0" range="-1 1"/><geom size=".05"/><geom size=".04" pos="0 0 .1"/><body pos=".3 0 0"><joint axis="1 0 0" range="-1 1"/>
@@ -334,6 +346,7 @@ def test_bodies_joints_and_geoms_without_names(written, rng):
         np.testing.assert_allclose(place.translation, judge.data.body("tip").xpos, atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("old", ['joint name="j1"', 'body name="a"', 'site name="s"'])
 def test_nothing_is_called_as_pinocchio_calls_the_world(arm, old):
     file = arm(tip='<site name="s"/>')
@@ -348,6 +361,7 @@ def test_nothing_is_called_as_pinocchio_calls_the_world(arm, old):
 FREE = {key: value.replace("/>", ' contype="0" conaffinity="0"/>') for key, value in LINKS.items()}
 
 
+@pytest.mark.slow
 def test_pairs_that_the_file_names_are_checked(arm, rng):
     file = arm(**FREE, after='<contact><pair geom1="ga" geom2="gc"/></contact>')
     robot = judged(file, rng)
@@ -378,6 +392,7 @@ def test_the_pairs_are_mujoco_s(arm, rng, pair, exclude, masks):
         assert theirs <= checked
 
 
+@pytest.mark.slow
 def test_the_reasons_of_pairs_that_are_left_out(arm):
     file = arm(tip='<body name="hand"><geom name="ball" size=".02" contype="2" conaffinity="2"/></body>')
     dropped = mp.Scene().collision_model(mp.Robot.from_mjcf(file, velocity=1.0)).dropped
@@ -386,6 +401,7 @@ def test_the_reasons_of_pairs_that_are_left_out(arm):
     assert reasons[frozenset(("a", "hand"))] == mjcf.MASKED
 
 
+@pytest.mark.slow
 def test_parents_are_checked_where_the_file_says_so(arm):
     file = arm(before='<option><flag filterparent="disable"/></option>')
     model = mp.Scene().collision_model(mp.Robot.from_mjcf(file, velocity=1.0))
@@ -396,6 +412,7 @@ def test_parents_are_checked_where_the_file_says_so(arm):
 # ---- what MuJoCo expands
 
 
+@pytest.mark.slow
 def test_includes_frames_and_replicates(written, rng):
     written(
         '<mujoco><body name="c" pos="0 0 .2"><joint name="k" axis="1 0 0" range="-1 1"/><geom name="gc" size=".05"/></body></mujoco>',
@@ -410,6 +427,7 @@ def test_includes_frames_and_replicates(written, rng):
     assert robot.joint_names == ("j", "k") and robot.geometry.ngeoms == 5
 
 
+@pytest.mark.slow
 def test_several_joints_in_one_body(written, rng):
     robot = judged(
         written(f"""<mujoco>{RADIANS}<worldbody><body name="car" pos="0 0 .1"><joint name="x" type="slide" axis="1 0 0" range="-1 1"/>
@@ -421,12 +439,14 @@ def test_several_joints_in_one_body(written, rng):
     assert robot.joint_names == ("x", "y", "turn", "tilt")
 
 
+@pytest.mark.slow
 def test_several_bodies_in_the_world(arm, rng):
     table = '<body name="table" pos="1 0 0"><geom name="top" type="box" size=".2 .2 .05"/></body>'
     robot = judged(arm(world=table), rng, tool="c")
     assert robot.n == 3 and robot.geometry.ngeoms == 4
 
 
+@pytest.mark.slow
 def test_primitives_fitted_to_a_mesh(arm, rng, tmp_path):
     (tmp_path / "cube.obj").write_text(CUBE)
     asset = '<asset><mesh name="cube" file="cube.obj" scale=".01 .02 .03"/></asset>'
@@ -435,6 +455,7 @@ def test_primitives_fitted_to_a_mesh(arm, rng, tmp_path):
     np.testing.assert_allclose(sorted(np.array(box.halfSide)), [0.01, 0.02, 0.03], rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_ball_joints_are_held(arm, rng):
     tip = '<body name="hand" pos="0 0 .1"><joint name="ball" type="ball"/><geom size=".02"/><body name="tcp" pos="0 0 .1"/></body>'
     with pytest.raises(mp.errors.UnsupportedJointError, match="ball"):
@@ -442,6 +463,7 @@ def test_ball_joints_are_held(arm, rng):
     assert judged(arm(tip=tip), rng, tool="tcp", joints=["j1", "j2", "j3"]).locked == {"ball": 0.0}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["ball", "hinge"])
 def test_the_chain_of_one_arm_beside_a_head(written, kind):
     def arm(name):
@@ -455,11 +477,13 @@ def test_the_chain_of_one_arm_beside_a_head(written, kind):
         assert mp.Robot.from_mjcf(file, velocity=1.0, tool=name).joint_names == (f"{name}1", f"{name}2")
 
 
+@pytest.mark.slow
 def test_a_file_without_bodies_is_refused(written):
     with pytest.raises(mp.errors.FileFormatError, match="at least one body"):
         mp.Robot.from_mjcf(written("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>"))
 
 
+@pytest.mark.slow
 def test_masses_forces_and_gravity(written):
     file = written("""<mujoco><option gravity="0 1 -5"/><worldbody><body name="a" pos="0 0 .3"><joint name="j" axis="0 1 0" pos="0 .1 0"
     armature=".3" actuatorfrcrange="-4 5"/><geom type="box" size=".1 .2 .3" pos=".1 0 0" euler="10 20 30"/><body name="b" pos=".5 0 0">
@@ -478,6 +502,7 @@ def test_masses_forces_and_gravity(written):
     )
 
 
+@pytest.mark.slow
 def test_height_fields_are_solid(written, tmp_path, rng):
     import struct
 
@@ -505,6 +530,7 @@ def test_height_fields_are_solid(written, tmp_path, rng):
 # ---- couplings are tested in test_mimics.py; what is not taken over
 
 
+@pytest.mark.slow
 def test_what_is_not_taken_over_is_named(arm, caplog):
     after = """<tendon><fixed name="t"><joint joint="j1" coef="1"/></fixed></tendon><actuator><motor joint="j1"/></actuator>
     <equality><connect body1="a" body2="c" anchor="0 0 0"/></equality>"""
@@ -514,6 +540,7 @@ def test_what_is_not_taken_over_is_named(arm, caplog):
     assert "1 <connect> of <equality>, 1 tendon, 1 actuator" in record.message
 
 
+@pytest.mark.slow
 def test_a_joint_with_two_leaders(arm):
     after = '<equality><joint joint1="j3" joint2="j2"/><joint joint1="j3" joint2="j1"/></equality>'
     with pytest.raises(mp.errors.FileFormatError, match="one <equality> per joint that follows; j3 follows"):
@@ -539,6 +566,7 @@ REFUSALS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bomb", REFUSALS)
 @pytest.mark.parametrize("read", [mp.Robot.from_mjcf, mp.Scene.from_mjcf], ids=["robot", "scene"])
 def test_bombs(written, bomb, read):
@@ -619,6 +647,7 @@ def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path):
         mp.Robot.from_mjcf(arm(), velocity=1.0)
 
 
+@pytest.mark.slow
 def test_nothing_is_printed_or_written(arm, tmp_path, monkeypatch, capfd):
     monkeypatch.chdir(tmp_path)
     file = arm(tip='<geom type="mesh" mesh="none"/>')
@@ -656,6 +685,7 @@ def test_without_mujoco_the_error_says_how_to_install_it(arm, monkeypatch):
         mp.Robot.from_mjcf(arm())
 
 
+@pytest.mark.slow
 def test_what_is_drawn(arm):
     """The geoms of the groups that MuJoCo's viewer draws, in their colours."""
     from manipplan.viz.viewer.bodies import visual_geometry
@@ -769,6 +799,7 @@ def test_random_trees(tmp_path_factory, texts, seed):
     assert sum(each.mass for each in whole.model.inertias) <= judge.model.body_mass.sum() * (1 + 1e-12)
 
 
+@pytest.mark.slow
 def test_a_mesh_in_millimetres_is_refused(tmp_path):
     """Without scale="0.001 0.001 0.001" a body of 100 mm is 100 m long."""
     corners = [(x, y, z) for x in (0, 100) for y in (0, 100) for z in (0, 100)]
@@ -786,6 +817,7 @@ def test_a_mesh_in_millimetres_is_refused(tmp_path):
     assert mp.load_robot(tmp_path / "arm.xml", tool="tcp").n == 1
 
 
+@pytest.mark.slow
 def test_a_part_inside_a_closed_mesh_touches(tmp_path):
     """The cabinet is a cube of 12 triangles: what is wholly inside it was free, with a clearance of 102 mm."""
     corners = [(x, y, z) for x in (-0.25, 0.25) for y in (-0.25, 0.25) for z in (-0.25, 0.25)]
@@ -858,12 +890,14 @@ def test_a_site_on_another_body_or_with_the_name_of_a_body_is_not_the_tool(arm):
     assert mp.Robot.from_mjcf(same).tool == body
 
 
+@pytest.mark.slow
 def test_limits_that_an_mjcf_file_does_not_give_have_no_source(arm):
     robot = mp.Robot.from_mjcf(arm(tip=""))
     assert robot.limits.sources["velocity"] == "none in the MJCF; velocity= gives them"
     assert robot.limits.sources["acceleration"].startswith("none, as there are no velocity limits")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("mask", "dropped"), [("", True), ('contype="0" conaffinity="0"', False)])
 def test_bodies_that_always_touch_are_left_out_with_all_their_geoms(written, mask, dropped, rng):
     """The hubs always overlap; fin and blade touch at some turns. Of a hub with masks of 0 the blade is checked alone."""

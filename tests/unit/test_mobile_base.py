@@ -58,6 +58,7 @@ def test_the_window_holds_every_configuration_that_reaches_the_pose(arm):
     assert (lower <= near).all() and (near <= upper).all() and np.ptp(near[:, 0]) > 0.5
 
 
+@pytest.mark.slow
 def test_solutions_are_found_wherever_the_base_can_be(arm):
     q = np.array([1.5, 1.0, -0.8, 0.7, 0.9, -0.4, 0.5, 0.8])
     pose = arm.kinematics().pose(q)

@@ -285,6 +285,7 @@ def test_paddings_are_told(tmp_path, caplog):
     assert "link_padding is not used" in caplog.text and "link_scale" not in caplog.text
 
 
+@pytest.mark.slow
 @given(st.data())
 def test_spoilt_text_is_refused_or_read(tmp_path_factory, data):
     """Texts with words taken out, doubled or exchanged give a scene or our error, never another exception."""

@@ -26,6 +26,7 @@ def test_mass_matrix_and_gravity_are_pinocchio_s(page, rng):
         np.testing.assert_allclose(theirs.qfrc_gravcomp, pin.computeGeneralizedGravity(robot.model, data, q), atol=1e-10)
 
 
+@pytest.mark.slow
 def test_the_torques_of_the_run_are_those_of_inverse_dynamics(page):
     """With feed-forward the arm is where the plan says, so its torques are Pinocchio's for the planned motion."""
     robot, plan = page["robot"], page["plan"]
@@ -38,6 +39,7 @@ def test_the_torques_of_the_run_are_those_of_inverse_dynamics(page):
     assert np.abs(errors).max() < 1e-3
 
 
+@pytest.mark.slow
 def test_errors_and_torques_stay_in_bounds(page):
     limits = page["robot"].limits
     for times, errors, torques in page["runs"].values():

@@ -32,11 +32,13 @@ def cell(tmp_path):
     return file
 
 
+@pytest.mark.slow
 def test_static_bodies_that_collide_are_obstacles(cell):
     scene = mp.Scene.from_mjcf(cell)
     assert scene.names == ("floor", "top", "table.2", "cup", "ball", "wedge")
 
 
+@pytest.mark.slow
 def test_pairs_and_mocap_bodies_are_obstacles_of_robot_and_scene_alike(tmp_path):
     file = tmp_path / "cell.xml"
     off = 'contype="0" conaffinity="0"'
@@ -55,6 +57,7 @@ def test_pairs_and_mocap_bodies_are_obstacles_of_robot_and_scene_alike(tmp_path)
     assert scene.in_collision(arm, q).tolist() == [True, False, True, False]
 
 
+@pytest.mark.slow
 def test_distances_are_those_of_mujoco(cell, panda, rng):
     """A ball carried by the arm is as far from each obstacle as MuJoCo's ball at the same place."""
     scene = mp.Scene.from_mjcf(cell)
@@ -72,6 +75,7 @@ def test_distances_are_those_of_mujoco(cell, panda, rng):
             assert ours["probe", name] == pytest.approx(theirs, abs=1e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -87,6 +91,7 @@ def test_wrong_files(tmp_path, text, message):
         mp.Scene.from_mjcf(file)
 
 
+@pytest.mark.slow
 def test_geoms_of_one_mesh_share_its_hull(cell):
     more = "<geom type='mesh' mesh='wedge' pos='0 0 1' name='other'/>"
     cell.write_text(cell.read_text().replace('mesh="wedge"/>', f'mesh="wedge"/>{more}', 1))
@@ -96,6 +101,7 @@ def test_geoms_of_one_mesh_share_its_hull(cell):
     assert abs(second.pose.translation - first.pose.translation).max() > 0.5
 
 
+@pytest.mark.slow
 def test_a_mesh_file_changed_within_a_second_is_read_again(tmp_path):
     """MuJoCo's cache of meshes compares the times of files to the second."""
     for size in (1.0, 2.0):
@@ -121,6 +127,7 @@ def test_names_are_in_utf_8(tmp_path):
             mp.Scene.from_mjcf(tmp_path / "cell.xml")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", ["1e308", "1e7"])
 def test_sizes_are_bounded(tmp_path, size):
     (tmp_path / "cell.xml").write_text(f"<mujoco><worldbody><geom type='box' size='1 1 {size}'/></worldbody></mujoco>")

@@ -50,6 +50,7 @@ def test_states_follow_the_arm(arm):
         np.testing.assert_array_equal(other.states["ready"], [-1.5, 0.3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "states"),
     [

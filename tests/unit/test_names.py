@@ -70,6 +70,7 @@ def test_a_module_of_robot_descriptions(descriptions, tmp_path, capfd):
     assert mp.Plan.load(tmp_path / "plan").robot.source.name == "own_description"
 
 
+@pytest.mark.slow
 def test_formats_and_options_of_robot_descriptions(descriptions):
     pytest.importorskip("xacro")
     repository = descriptions(
@@ -255,6 +256,7 @@ def test_a_checkout_that_is_not_there(monkeypatch):
         mp.load_robot("menagerie:franka_fr3")
 
 
+@pytest.mark.slow
 def test_the_downloader(tmp_path, monkeypatch, capfd):
     """The package mujoco-menagerie, by a stand-in with the names that its makers document."""
     monkeypatch.delenv("MUJOCO_MENAGERIE", raising=False)
@@ -412,6 +414,7 @@ def fr3(descriptions):
     return lambda **options: mp.load_robot("fr3_description", **options)
 
 
+@pytest.mark.slow
 def test_an_fr3_by_name_has_the_limits_of_its_data_sheet(fr3):
     robot = fr3()
     for kind, values in FR3.limits.items():
@@ -468,6 +471,7 @@ def test_a_plan_of_an_fr3_within_its_data_sheet_gives_a_table(fr3, tmp_path):
     assert len((tmp_path / "motion.csv").read_text().splitlines()) > 100
 
 
+@pytest.mark.slow
 def test_the_command_lists_what_can_be_had_at_once(capsys, monkeypatch, descriptions, menagerie):
     descriptions(b_description="raise OSError", a_description="")
     monkeypatch.setattr(commands, "load_robot", None)

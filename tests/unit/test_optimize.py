@@ -216,6 +216,7 @@ def test_a_metric_is_a_change_of_joint_units(planar):
     np.testing.assert_array_equal(full.metric, np.diag(weights))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "measure", [name for name, kind in MEASURES.items() if kind.larger_is_better and "transmission" not in name]
 )
@@ -522,6 +523,7 @@ def test_without_constraints_that_bind_the_gap_is_zero(planar):
     assert "inf" in str(singular)
 
 
+@pytest.mark.slow
 def test_a_certificate_names_the_nearest_pair(planar):
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     start, goal = [0, 1.5, -2], [np.pi, -2, 2]
@@ -558,6 +560,7 @@ def test_subdivision_gives_the_same_curve(rng, degree):
     np.testing.assert_allclose(parts(s), whole(s), atol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "tiago", "kinova"])
 def test_clearance_rows_have_exact_derivatives(name, rng):
     robot = mp.load_robot(name)

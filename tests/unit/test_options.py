@@ -149,6 +149,7 @@ def test_the_planner_gets_the_objective_and_each_seed(planar, planner, monkeypat
     assert result.seed is free
 
 
+@pytest.mark.slow
 def test_the_result_holds_the_objective(planar):
     objective = mp.PathObjective(power=1.5, task=mp.Task.planar(), measure="inverse_condition", metric=[1.0, 2.0, 3.0])
     result = mp.optimize_path(planar, START, GOAL, objective=objective, shape=mp.PathShape(degree=3), compiled=False)

@@ -41,6 +41,7 @@ def assert_same_set(robot, own, wanted):
         assert np.abs(pose_of(robot, q) - pose_of(robot, wanted.q[list(wanted.pose_index).index(k)])).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_it_replaces_the_library_s_method():
     robot = UR5.with_inverse_kinematics(of_ur5, complete=True)
     pose = pose_of(UR5, Q)
@@ -74,6 +75,7 @@ def test_it_speaks_of_the_robot_as_it_was(bases, tools, early):
     assert_same_set(robot, mp.inverse_kinematics(robot, pose), mp.inverse_kinematics(robot, pose, method="closed-form"))
 
 
+@pytest.mark.slow
 def test_it_stays_with_parts_and_limits_but_not_with_fewer_joints():
     robot = UR5.with_inverse_kinematics(of_ur5)
     held = robot.attach(mp.Box(size=(0.1, 0.1, 0.1), position=(0.0, 0.0, 0.1), name="part"))
@@ -90,6 +92,7 @@ def test_it_stays_with_parts_and_limits_but_not_with_fewer_joints():
     assert arm_of(panda, panda.tool, range(6), panda.neutral).own_ik is None
 
 
+@pytest.mark.slow
 def test_rounded_answers_are_refined():
     robot = UR5.with_inverse_kinematics(lambda pose: np.round(of_ur5(pose), 5))
     found = mp.inverse_kinematics(robot, pose_of(UR5, Q))
@@ -190,6 +193,7 @@ def test_a_planar_arm_and_a_redundant_one():
     assert np.abs(found.q - goal).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_stored_results_name_it():
     robots = [UR5, UR5.with_inverse_kinematics(of_ur5), UR5.with_inverse_kinematics(of_ur5, complete=True)]
     robots.append(UR5.with_inverse_kinematics(nothing))
@@ -223,6 +227,7 @@ def test_a_path_does_not_leave_what_the_solver_returns():
     assert begins.status is mp.Status.FOLLOWED and ((elbow > 1.3).all() or (elbow < 0).all())
 
 
+@pytest.mark.slow
 def test_rounded_answers_at_a_limit_are_not_lost(ur5):
     upper = np.array([0.5, 6.0, 6.0, 6.0, 6.0, 6.0])
     arm, q = ur5.with_limits(upper=upper, lower=-3.0), np.array([0.5, -1.0, 1.0, -1.0, -1.0, 0.0])

@@ -47,6 +47,7 @@ def test_its_path_is_free_and_repeatable(planar):
     assert not np.array_equal(path.control, path_of(tree_search, planar, seed=4).control)
 
 
+@pytest.mark.slow
 def test_plan_and_optimize_path_ask_it(planar):
     asked = []
 
@@ -166,6 +167,7 @@ def test_an_error_inside_names_the_planner(planar):
         path_of(lambda problem: problem.is_free([0.0]), planar)
 
 
+@pytest.mark.slow
 def test_the_time_limit_ends_a_planner_that_asks_for_ever(planar):
     def endless(problem):
         while True:
@@ -177,6 +179,7 @@ def test_the_time_limit_ends_a_planner_that_asks_for_ever(planar):
     assert time.monotonic() - began < 1.5
 
 
+@pytest.mark.slow
 def test_many_waypoints_take_little_time(planar):
     waypoints = path_of(tree_search, planar)(np.linspace(0.0, 1.0, 2000))
     began = time.monotonic()
@@ -197,6 +200,7 @@ def test_it_keeps_no_constraints(planar):
         mp.seed_path(planar, START, [0.0, 1.0, 1.0], seeding=mp.Seeding(planner=tree_search), constraints=held)
 
 
+@pytest.mark.slow
 def test_plans_of_many_problems_are_found_again(planar, tmp_path):
     """The key of a stored result names the planner."""
     first = mp.Problem(robot=planar, start=START, goal=GOAL, scene=POST, seeding=mp.Seeding(planner=tree_search))

@@ -95,6 +95,7 @@ def test_triangles_are_pieces_as_in_a_mesh():
     assert surface.shape.num_tris == mesh.parts()[0].shape.num_tris
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("radii", [(0.2, 0.2, 0.2), (0.5, 0.1, 0.05), (0.3, 0.3, 0.003), (1.0, 0.004, 0.004)])
 def test_a_polytope_encloses_an_ellipsoid(radii, rng):
     corners = corners_of(Ellipsoid(radii=radii))
@@ -134,6 +135,7 @@ def test_a_box_by_its_support_is_that_box():
     assert np.abs(upper - [0.2, 0.15, 0.01]).max() < 1e-8 and np.abs(lower + upper).max() < 1e-8
 
 
+@pytest.mark.slow
 def test_clearances_are_on_the_safe_side():
     """Distances to a ball by its support are those of a sphere, or up to 1 mm less."""
     place = (0.4, 0.2, 0.5)
@@ -159,6 +161,7 @@ def test_plans_keep_clear_of_it(tmp_path):
         scene.to_yaml(tmp_path / "scene.yaml")
 
 
+@pytest.mark.slow
 def test_it_is_an_obstacle_as_any_other():
     assert mp.Scene([Angle(), Ellipsoid(radii=(0.1, 0.1, 0.1))]).names == ("angle0", "ellipsoid1")
     held = PANDA.attach(Angle(size=0.2, name="part"))
@@ -170,6 +173,7 @@ def test_it_is_an_obstacle_as_any_other():
     assert np.array_equal(corners_of(again), corners_of(shape)) and shape.called("other").parts()
 
 
+@pytest.mark.slow
 def test_stored_results_know_its_shape():
     """The key holds what the methods return, not only the fields."""
     keys = [scene_key(mp.Scene([Rounded(points=CORNERS * size)])) for size in (0.1, 0.1, 0.2)]
@@ -182,6 +186,7 @@ def support_of(size):
     return lambda directions: size * directions
 
 
+@pytest.mark.slow
 def test_a_large_round_body_has_more_excess_and_the_log_says_so(caplog):
     caplog.set_level(logging.INFO, "manipplan")
     mp.Scene([Ellipsoid(radii=(2.0, 2.0, 2.0))])

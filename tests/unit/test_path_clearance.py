@@ -50,6 +50,7 @@ def cells(box, *counts):
     return [mp.Box(size=size / counts, position=box.position + size * place) for place in places]
 
 
+@pytest.mark.slow
 def test_a_box_cut_into_a_thousand_has_the_same_bounds(panda, rng):
     post, *others = BOXES
     whole, cut = mp.Scene(BOXES), mp.Scene([*cells(post, 8, 8, 16), *others])
@@ -158,6 +159,7 @@ def test_a_slide_after_a_turn_counts_both(two_link_urdf, rng):
                 assert bound <= 1.001 * moved + radius * size
 
 
+@pytest.mark.slow
 def test_a_trajectory_of_many_pieces_has_the_clearance_of_its_path(demo_problem, demo_plan):
     problem, result, motion = demo_problem, demo_plan.result, demo_plan.trajectory
     assert len(motion.t) > 100
@@ -167,6 +169,7 @@ def test_a_trajectory_of_many_pieces_has_the_clearance_of_its_path(demo_problem,
     assert many.checks < 40 * len(motion.t), "runs of pieces are looked at as one"
 
 
+@pytest.mark.slow
 def test_certificate_and_report_hold_the_proof(demo_problem, demo_plan):
     certificate = demo_plan.result.certificate
     for measured, proven in (

@@ -33,6 +33,7 @@ def points(robot, rng, count=20):
     )
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 @pytest.mark.parametrize("density", [energy_density, length_density])
 @pytest.mark.parametrize("name", ["panda", "ur5"])
@@ -46,6 +47,7 @@ def test_machine_code_equals_the_virtual_machine(density, name, rng):
         np.testing.assert_array_equal(np.array(one(*at)), np.array(other(*at)))
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_rows_in_machine_code_equal_the_virtual_machine(panda, rng):
     fast, slow = (row_functions(panda.kinematics(compiled=compiled)).functions for compiled in (True, False))
@@ -95,6 +97,7 @@ def test_a_compiler_that_fails_later_is_reported_once(panda, folder, rng, monkey
     np.testing.assert_array_equal(batch(q), found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5", "xarm7", "planar", "tiago"])
 def test_the_density_is_speed_over_index(name, planar, rng):
     """Against Pinocchio's Jacobian: the middle view has the index of the tool's."""
@@ -132,6 +135,7 @@ def test_the_steady_view_has_true_derivatives(panda, rng):
             np.testing.assert_allclose(each, 0.0, atol=1e-8)
 
 
+@pytest.mark.slow
 @pytest.mark.compiler
 def test_paths_are_the_same_compiled_or_not(panda, rng):
     start, goal = panda.random_configuration(rng, size=2)

@@ -57,6 +57,7 @@ def links(name):
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mesh", ["star", "ur5 wrist_1_link_0", "ur5 shoulder_link_0", "ur3 wrist_1_link_0"])
 def test_surface_and_inside_lie_in_the_pieces(mesh, rng):
     triangles = star() if mesh == "star" else links(mesh.split()[0])[mesh.split()[1]]

@@ -78,6 +78,7 @@ def test_processes_give_the_same_in_the_same_order(problems, expected):
     assert_same(mp.plan_many(problems[:1], 1), expected[:1])
 
 
+@pytest.mark.slow
 def test_threads_give_the_same(problems, expected):
     with ThreadPoolExecutor(2) as pool:
         assert_same(mp.plan_many(problems, pool), expected)
@@ -140,6 +141,7 @@ def test_a_robot_is_sent_when_it_is_needed_and_only_then():
     assert len({dispatch.label for dispatch in recorder.parcels}) == len(recorder.parcels)
 
 
+@pytest.mark.slow
 def test_a_large_scene_is_sent_when_it_is_needed(planar, monkeypatch):
     monkeypatch.setattr(dispatch, "SMALL", 10)
     recorder = Recorder()
@@ -206,6 +208,7 @@ def test_failures_are_results(hard, executor, caplog, tmp_path):
         mp.Plan.load(failed)
 
 
+@pytest.mark.slow
 def test_an_unexpected_error_ends_one_problem(problems, monkeypatch, caplog, tmp_path):
     real = dispatch.plan
 
@@ -507,6 +510,7 @@ def edited(file, **changes):
     file.write_text(json.dumps({**data, "sha256": checksum(data)}))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("spoil", "message"),
     [

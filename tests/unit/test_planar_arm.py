@@ -127,6 +127,7 @@ def test_an_ellipsoid_on_its_principal_axes(rng):
     assert np.isposinf(planar.matrix_ellipsoid([[1.0, 0.0], [0.0, 0.0]]).radii[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [2, 3, 5, 8])
 def test_theorems_hold(n):
     for theorem in (planar.frobenius_theorem(n), planar.manipulability_theorem(n), planar.condition_theorem(n)):

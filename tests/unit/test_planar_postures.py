@@ -214,6 +214,7 @@ def test_radii_at_which_the_curve_degenerates(radius):
     assert np.abs(ours.radius - radius).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_two_and_four_links(rng):
     two = planar.stationary_postures(planar.PlanarArm([1.0, 0.4]))
     np.testing.assert_allclose(np.sort(np.abs(two.q[:, 1])), [0, H, H, np.pi], atol=1e-12)
@@ -244,6 +245,7 @@ def test_zeros_with_and_without_proof():
     assert touched.half_width <= 1e-8
 
 
+@pytest.mark.slow
 def test_random_trigonometric_systems(rng):
     """Nothing that Newton's method finds from random starts is missing, and no root is there twice."""
     for _ in range(4):
@@ -275,6 +277,7 @@ def test_real_roots_by_sturm():
     assert len(real_roots(close, Fraction(0), Fraction(2))) == 2
 
 
+@pytest.mark.slow
 def test_proportions_approach_their_bound_and_never_pass_it(rng):
     for n in range(2, 9):
         bound = planar.manipulability_bound(n, 2.0)

@@ -53,6 +53,7 @@ def test_the_family_of_a_position_by_scanning(rng):
             assert inside == [len(family(p)) > 0 for p in phi]
 
 
+@pytest.mark.slow
 def test_reachable_annulus_by_sampling(rng):
     for lengths in ([1.0, 1.0, 1.0], [2.0, 0.3, 0.4], [0.2, 0.5, 1.6, 0.3]):
         arm = planar.PlanarArm(lengths)

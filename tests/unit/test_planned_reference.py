@@ -98,6 +98,7 @@ def test_a_reference_is_the_part_of_the_plan_along_the_path(panda, plan, line):
     assert reference_of(plan, panda, TASK).lead_in is None
 
 
+@pytest.mark.slow
 def test_the_arm_returns_to_the_plan_through_the_null_space(panda, plan, line, servo, plain):
     kinematics = panda.kinematics(TASK)
     end = plan.trajectory(plan.trajectory.duration)
@@ -112,6 +113,7 @@ def test_the_arm_returns_to_the_plan_through_the_null_space(panda, plan, line, s
         assert np.linalg.norm(free[-1] - end) > 2 * np.linalg.norm(near[-1] - end)
 
 
+@pytest.mark.slow
 def test_from_another_branch_the_arm_is_not_pulled(panda, servo, plain):
     kinematics = panda.kinematics(TASK)
     null = np.linalg.svd(kinematics.jacobian(servo.reference.start))[2][-1]
@@ -178,6 +180,7 @@ def test_a_moved_base_moves_the_reference(line):
         mp.Servo(mp.load_robot("panda"), dt=DT, task=TASK, reference=plan)
 
 
+@pytest.mark.slow
 def test_track_begins_at_the_reference_and_stays_near_it(panda, plan, line):
     tracking = mp.track(panda, line, None, mp.formulations.LogDrive(), dt=DT, duration=3.0, task=TASK, reference=plan)
     reference = reference_of(plan, panda, TASK)
@@ -203,6 +206,7 @@ def test_every_formulation_takes_a_reference(panda, plan, line, formulation):
     assert np.linalg.norm((kinematics.pose(q) - line(0.05))[:3, 3]) < 1e-3
 
 
+@pytest.mark.slow
 def test_what_is_no_reference_is_refused(panda, plan, line):
     free = mp.plan(panda, panda.neutral, panda.neutral + 0.1)
     cases = [

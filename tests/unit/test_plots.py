@@ -381,6 +381,7 @@ def legends(figure):
     return [[text.get_text() for text in ax.get_legend().get_texts()] for ax in figure.axes[:2]]
 
 
+@pytest.mark.slow
 def test_each_job_names_its_paths_alike_on_both_sides(demo_plan):
     improved = replace(demo_plan.result, status=mp.Status.IMPROVED)
     nothing = np.zeros((1, 7))
@@ -415,6 +416,7 @@ def test_a_figure_is_drawn_as_vectors_alone(demo_plan, planar_plan, tmp_path):
         assert (tmp_path / "plan.svg").stat().st_size < 2e6
 
 
+@pytest.mark.slow
 def test_new_axes_are_made_and_returned(demo_plan):
     for draw in (viz.plot_arm, viz.plot_tool_path):
         ax = draw(demo_plan.robot, demo_plan.path)
@@ -450,6 +452,7 @@ def test_a_gif_holds_the_motion_in_its_time(planar_plan, tmp_path):
     assert len(told) == len(shown) + 1
 
 
+@pytest.mark.slow
 def test_a_film_that_is_interrupted_leaves_what_was_there(planar_plan, tmp_path):
     file = tmp_path / "plan.gif"
     file.write_bytes(b"before")
@@ -571,6 +574,7 @@ def test_names_are_drawn_as_they_are(odd_plan, tmp_path):
     assert not any(text.get_parse_math() for text in named)
 
 
+@pytest.mark.slow
 def test_the_data_are_written_before_the_picture(odd_plan, tmp_path, monkeypatch):
     def fails(plan, file):
         raise RuntimeError("no picture")

@@ -65,6 +65,7 @@ def farthest(poses, given_poses):
     return float(best.max())
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.integers(2, 9), st.booleans(), st.booleans())
 def test_a_path_stays_near_its_polygon(seed, count, again, turned):
@@ -79,6 +80,7 @@ def test_a_path_stays_near_its_polygon(seed, count, again, turned):
     assert position.max() < 1e-6 and rotation.max() < 2e-6  # poses that are one may be 1e-6 apart
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.integers(2, 9))
 def test_a_path_goes_through_each_pose(seed, count):
@@ -91,6 +93,7 @@ def test_a_path_goes_through_each_pose(seed, count):
         assert np.abs(knots - pose).max(axis=(1, 2)).min() < 1e-6
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.integers(2, 9))
 def test_the_length_is_that_of_the_polygon(seed, count):
@@ -102,6 +105,7 @@ def test_the_length_is_that_of_the_polygon(seed, count):
     assert -1e-6 < turned / angles - 1 < 0.03
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.integers(2, 9), st.booleans())
 def test_repeated_poses_change_no_length(seed, count, turned):
@@ -127,6 +131,7 @@ def test_poses_that_are_one_make_the_same_path(seed, exponent):
         np.testing.assert_array_equal(mp.CartesianPath.through(more)(s), same(s))
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.integers(3, 8))
 def test_a_path_is_twice_continuously_differentiable(seed, count):
@@ -169,6 +174,7 @@ def test_in_and_straight_out_goes_no_deeper(seed, back, exponent):
     assert way(path)[:, 2, 3].min() > tip[2] - 5e-5
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(SEEDS, st.floats(-12, -3))
 @example(2567, -3.0)

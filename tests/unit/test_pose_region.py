@@ -55,6 +55,7 @@ def excess(region, pose, reached):
     return beyond, max(tilt - region.cone, spin - region.spin, 0.0)
 
 
+@pytest.mark.slow
 @settings(max_examples=60)
 @given(regions(), st.integers(0, 2**31))
 def test_values_give_poses_inside_and_poses_values(task, seed):
@@ -215,6 +216,7 @@ def test_a_region_reaches_what_the_pose_does_not(panda):
     assert plan.report.passed and judged(panda, plan, task.region, path) == []
 
 
+@pytest.mark.slow
 def test_inverse_kinematics_samples_the_region(ur5):
     pose = ur5.kinematics().pose(np.array([0.2, -1.4, 1.9, -2.0, -1.5, 0.3]))
     task = mp.Task.pose().within(cone=0.4, spin=0.2)
@@ -258,6 +260,7 @@ def test_wrong_regions(arguments, argument):
         mp.Task.pose().within(**arguments)
 
 
+@pytest.mark.slow
 def test_what_cannot_use_a_region_says_so(panda):
     so100 = mp.load_robot("so100")
     task = mp.Task.pose().within(cone=0.2)

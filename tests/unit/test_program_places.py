@@ -71,6 +71,7 @@ def test_a_part_is_taken_up_twice(hand, cell):
     np.testing.assert_allclose(placed_part(made), place, atol=3e-6)
 
 
+@pytest.mark.slow
 def test_plan_to_a_pose_of_a_carried_part(hand):
     ball = mp.Box(size=(0.05, 0.03, 0.02), position=(0.02, 0.0, 0.05), rotation=(0.1, 0.2, 0.3), name="bar")
     carrying = hand.attach(ball)
@@ -84,6 +85,7 @@ def test_plan_to_a_pose_of_a_carried_part(hand):
         mp.plan(carrying, "default", mp.PoseGoal(place, of="bar", free_axis=[0, 0, 1]))
 
 
+@pytest.mark.slow
 def test_each_of_many_grasps_is_searched_as_well_as_alone(hand):
     """With the goals of the whole leg at once, each would get few samples and most no refinement."""
     tilted = []

@@ -39,6 +39,7 @@ def test_a_part_is_picked_carried_and_placed(hand, cell, program):
     np.testing.assert_allclose(placed.pose.translation, [0.45, -0.3, 0.051], atol=1e-4)
 
 
+@pytest.mark.slow
 def test_one_trajectory_with_marks(program):
     assert program.trajectory.duration == pytest.approx(sum(p.trajectory.duration for p in program.parts) + 0.5)
     for part, begin in zip(program.parts, program.begins, strict=True):
@@ -50,6 +51,7 @@ def test_one_trajectory_with_marks(program):
     assert [mark.begin for mark in program.marks] == sorted(mark.begin for mark in program.marks)
 
 
+@pytest.mark.slow
 def test_approach_and_retreat_are_straight(hand, program):
     """The tool stays on the vertical line over the part while it approaches, but for the blend at its upper end."""
     kinematics = hand.kinematics()
@@ -80,6 +82,7 @@ def test_blends_leave_out_stops_and_stay_near_corners(hand, cell, steps, program
     assert moving.min() > 0.01
 
 
+@pytest.mark.slow
 def test_the_choice_is_that_of_all_choices(planar):
     """Of a planar arm with two grasps at each of two places: the program with the largest minimum of all four that are possible."""
     start = np.array([0.4, 0.6, 0.8])
@@ -139,6 +142,7 @@ def test_a_tool_speed_that_is_not_possible_is_refused_with_the_fastest(hand):
         mp.sequence(hand, "default", seam_steps(1.1 * fastest))
 
 
+@pytest.mark.slow
 def test_constraints_of_a_move(hand):
     level = mp.TiltLimit((0, 0, 1), (0, 0, -1), 0.1)
     steps = [mp.MoveTo(pose_at(0.2, 0.45, 0.35), constraints=[level]), mp.MoveTo(pose_at(0.4, -0.3, 0.4))]
@@ -191,6 +195,7 @@ def test_a_motion_there_and_back_stops_between(hand):
     assert len(made.stops) == 1
 
 
+@pytest.mark.slow
 def test_marks_tell_when_a_path_begins(hand):
     path = mp.CartesianPath.line(pose_at(0.4, -0.2, 0.3), pose_at(0.4, 0.2, 0.3))
     made = mp.sequence(hand, "default", [mp.MoveAlong(path)])
@@ -200,6 +205,7 @@ def test_marks_tell_when_a_path_begins(hand):
     np.testing.assert_allclose(hand.kinematics().pose(made.trajectory(mark.path_begin)), path(0.0), atol=2e-4)
 
 
+@pytest.mark.slow
 def test_parts_far_from_a_hand_are_told(hand, cell):
     steps = [mp.MoveTo(pose_at(0.45, 0.3, 0.3)), mp.Attach("part"), mp.MoveTo("default")]
     made = mp.sequence(hand, "default", steps, cell)
@@ -268,6 +274,7 @@ def test_bad_programs(hand, cell, name):
         mp.sequence(hand, "default", given, cell)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("steps", "message"),
     [

@@ -120,6 +120,7 @@ def test_bottoms_are_the_nearest_places_of_their_brackets(through_a_post):
         assert found.distances[k] <= distances[inside].min() + 1e-4  # depths of overlaps have several minima
 
 
+@pytest.mark.slow
 def test_bottoms_at_kinks_are_located(panda):
     """The arm turns about its base past an edge of a box, at 0.1 mm: its distance is first to one face, then to the other."""
     start, goal = np.array(START) * [0, 1, 1, 1, 1, 1, 1], np.array(START) * [0, 1, 1, 1, 1, 1, 1]

@@ -83,6 +83,7 @@ def test_an_enclosed_body_is_told_with_what_encloses_it(carrier, around, start, 
     assert work_time() - began < 2.0  # 0.2 s
 
 
+@pytest.mark.slow
 def test_every_job_and_planner_tells_it(carrier, around):
     result = mp.optimize_path(carrier, BESIDE, DOWN, around, throw=False)
     assert "globe is enclosed at the goal" in result.message
@@ -95,6 +96,7 @@ def test_every_job_and_planner_tells_it(carrier, around):
     assert work_time() - began < 4.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("inner", [0.13, 0.14])
 def test_a_cage_without_lid_or_with_a_wide_hole_does_not_enclose(carrier, around, inner):
     pose = carrier.kinematics().pose(DOWN)
@@ -108,6 +110,7 @@ def test_a_cage_without_lid_or_with_a_wide_hole_does_not_enclose(carrier, around
     assert mp.seed_path(carrier, BESIDE, DOWN, around.without("lid0", "lid1", "lid2", "lid3")).n == 7
 
 
+@pytest.mark.slow
 def test_the_clearance_counts(carrier, around):
     """The ball passes a hole of 125 mm with 4 mm to spare, and not with 6 mm."""
     pose = carrier.kinematics().pose(DOWN)

@@ -167,6 +167,7 @@ def test_joints_without_end_go_on(ur5):
     assert np.abs(np.diff(result.q[:, 0])).max() < 0.3  # unwrapped
 
 
+@pytest.mark.slow
 def test_kinova_with_continuous_joints():
     arm = mp.load_robot("kinova")
     start = arm.kinematics().pose(arm.neutral)

@@ -44,6 +44,7 @@ def standing(target, seconds):
     return np.broadcast_to(target, (round(seconds / DT), 4, 4))
 
 
+@pytest.mark.slow
 def test_a_drive_does_not_hold_the_arm_away_from_its_target(panda, controllers):
     """pink#59: joint 4 rests at its limit, 0.25 m away, where the drive balances the tracking."""
     target = panda.kinematics().pose(panda.neutral)
@@ -87,6 +88,7 @@ def test_a_drive_reaches_what_is_reached_without_one(panda, controllers):
     assert reached > 10
 
 
+@pytest.mark.slow
 def test_a_held_pose_keeps_its_place_and_raises_manipulability(panda, controllers):
     kinematics = panda.kinematics()
     start = np.array([0.3, 0.4, -0.5, -1.2, 0.6, 2.4, 0.2])

@@ -23,6 +23,7 @@ def test_panda_has_seven_joints_and_locked_fingers(panda):
     assert "locked: panda_finger_joint1" in text
 
 
+@pytest.mark.slow
 def test_continuous_joints_are_plain_angles():
     kinova = mp.load_robot("kinova")
     assert (kinova.model.nq, kinova.model.nv) == (6, 6)
@@ -60,6 +61,7 @@ def test_a_joint_may_be_locked_outside_its_limits(caplog):
     np.testing.assert_allclose(gaps, [0.08, 0.13], atol=1e-9)
 
 
+@pytest.mark.slow
 def test_mjcf_arm(tmp_path):
     file = tmp_path / "arm.xml"
     file.write_text("""<mujoco model="two"><compiler angle="radian"/><worldbody><body name="upper">
@@ -327,6 +329,7 @@ def test_unaligned_axis_turns_like_pinocchio(two_link_urdf):
     np.testing.assert_allclose(robot.kinematics(mp.Task.position()).pose(q), oracle, atol=1e-14)
 
 
+@pytest.mark.slow
 def test_a_used_robot_can_be_pickled(panda):
     panda.kinematics()
     mp.Scene().in_collision(panda, panda.neutral)

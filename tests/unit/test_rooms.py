@@ -95,6 +95,7 @@ def test_a_room_says_what_it_is_for(room):
     assert ast.get_docstring(ast.parse((PACKAGE / room / "__init__.py").read_text()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("module", MODULES)
 def test_imports_point_up_the_list(module):
     assert not [target for target, function in imports(module) if function == "" and points_down(module, target)]

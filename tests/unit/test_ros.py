@@ -225,6 +225,7 @@ def test_older_bags(tmp_path):
     np.testing.assert_array_equal(found.q[:, 1], [0, 2, 4, 6])
 
 
+@pytest.mark.slow
 def test_a_recording_is_improved(planar, tmp_path):
     t = np.linspace(0.0, 3.0, 61)
     u = 3 * (t / 3) ** 2 - 2 * (t / 3) ** 3

@@ -77,6 +77,7 @@ def test_the_bound_is_that_of_the_entries(pose, exponent, seed):
             pose_matrix("pose", given_pose)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["ur5", "panda"])
 def test_rounded_poses_have_the_solutions_of_the_exact_one(name):
     """F01 of the field reports; joint 1 of the UR5 stands at a multiple of half its range."""
@@ -146,6 +147,7 @@ def controller(request):
     return mp.Controller(mp.load_robot("panda"), mp.formulations.LogDrive(), dt=0.01, compiled=request.param)
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(seed=st.integers(0, 10**6), kind=st.sampled_from(sorted(SPOILT)))
 def test_a_controller_brakes_for_what_is_no_pose(controller, seed, kind):
@@ -162,6 +164,7 @@ def test_a_controller_brakes_for_what_is_no_pose(controller, seed, kind):
     assert controller.report.status is StepStatus.SOLVED
 
 
+@pytest.mark.slow
 @settings(max_examples=30, deadline=None)
 @given(seed=st.integers(0, 10**6), kind=st.sampled_from(sorted(ROUNDED)))
 def test_a_controller_follows_rounded_targets(controller, seed, kind):

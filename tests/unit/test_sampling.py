@@ -397,6 +397,7 @@ def test_the_search_over_samples_equals_all_pairs(six):
     assert mp.max_min_search(layers, 0.5).minimum == max(best.values()) > 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "task"), [("panda", None), ("xarm7", None), ("ur5", mp.Task.pointing([0, 0, 1]))])
 def test_branches_are_sampled_as_closely_as_the_spacing_says(name, task):
     """Each solution has one at the next value of the parameter nearby, unless the values are as close as they may be."""

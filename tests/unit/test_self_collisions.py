@@ -200,6 +200,7 @@ def test_the_srdf_has_all_pairs_that_are_left_out(tmp_path):
     assert reasons == {"parent and child link of one joint", "no joint between them moves"}
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6))
 @example(577)

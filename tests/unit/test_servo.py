@@ -120,6 +120,7 @@ def test_free_directions_are_not_followed(servos):
     assert np.allclose(np.kron(np.eye(2), pose.rotation.T) @ (jacobian @ qd / SCALE), twist, atol=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SINGULAR)
 def test_every_way_out_of_a_singular_posture_is_taken(servos, name):
     """20 mm along each of 12 directions; those that need another posture far away are left out."""
@@ -411,6 +412,7 @@ def test_at_rest_without_a_command(servos):
     assert (path == q).all()
 
 
+@pytest.mark.slow
 def test_obstacles_are_kept_at_a_distance():
     """A ball 0.3 m ahead of the tool, towards which it is driven, and which then comes nearer by itself."""
     robot = robot_without_jerk("ur5")

@@ -107,6 +107,7 @@ def test_a_floor_above_the_typical_measure_is_told(panda, caplog):
     assert "floor=10 is above the typical yoshikawa of panda" in caplog.text and "m^6" in caplog.text
 
 
+@pytest.mark.slow
 def test_a_redundant_arm_takes_the_same_path_with_the_default_floor(panda, rng):
     """Where m stays above ten floors, the path differs by at most 1e-3 rad."""
     compared = 0
@@ -340,6 +341,7 @@ def test_a_large_floor_makes_no_path_singular(panda, rng):
     assert result.status is not mp.Status.SINGULAR
 
 
+@pytest.mark.slow
 def test_optimising_again_returns_the_path():
     robot = mp.load_robot("ur5")
     start, goal = [0.0, -1.2, 1.4, -1.0, 1.0, 0.0], [0.8, -0.9, -1.0, -1.4, 1.4, 0.5]

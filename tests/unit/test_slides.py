@@ -108,6 +108,7 @@ def test_poses_are_reached_without_a_closed_form(tmp_path, kind, length):
         sound(robot, file, found, pose)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["rotating base, then slide", "slide first", "two slides", "slide at the end"])
 def test_a_step_longer_than_the_reach_is_not_called_complete(tmp_path, kind):
     robot, file = with_slides(tmp_path, kind, 5.0)
@@ -119,6 +120,7 @@ def test_a_step_longer_than_the_reach_is_not_called_complete(tmp_path, kind):
         assert fine.complete == "to-resolution" and fine.missing == 0 and len(fine)
 
 
+@pytest.mark.slow
 def test_poses_apart_get_their_own_values(tmp_path):
     robot, file = with_slides(tmp_path, "rotating base, then slide", 1e3)
     rng = np.random.default_rng(1)
@@ -130,6 +132,7 @@ def test_poses_apart_get_their_own_values(tmp_path):
         assert len(alone)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("behind", [2, 3])
 def test_several_joints_are_held_behind_the_others(tmp_path, behind):
     """Their motions are undone from the tool inwards."""
@@ -145,6 +148,7 @@ def test_several_joints_are_held_behind_the_others(tmp_path, behind):
         assert np.abs(found.q - q).max(axis=1).min() < 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("length", [5.0, 1e6])
 def test_a_rotating_base_on_a_long_slide(tmp_path, length):
     robot, file = with_slides(tmp_path, "rotating base, then slide", length)
@@ -156,6 +160,7 @@ def test_a_rotating_base_on_a_long_slide(tmp_path, length):
         sound(robot, file, found, pose)
 
 
+@pytest.mark.slow
 def test_a_pose_out_of_reach_has_no_solution(tmp_path):
     robot, file = with_slides(tmp_path, "slide first", 100.0)
     pose = own_pose(file, np.zeros(8))
@@ -178,6 +183,7 @@ def test_boxes_hold_the_values_of_every_configuration(tmp_path, kind, whole):
         assert ((lower <= q[swept] + 1e-9) & (q[swept] - 1e-9 <= upper)).all(axis=1).any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [3.0, 9.0, 318309.0])
 def test_joints_of_many_turns_are_listed_once_per_turn_or_once(tmp_path, turns):
     lower = np.array([-turns * np.pi, -1.7, -2.8, -3.0, -2.8, 0.0, -2.8])

@@ -89,6 +89,7 @@ def quadratic(kinematics, formulation, q):
     return np.zeros((n, n)), np.zeros(n)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("formulation", "measure"),
     [
@@ -161,6 +162,7 @@ def test_classical_with_gain_zero_is_the_pseudo_inverse(panda, rng):
         np.testing.assert_allclose(problem(of, q, qd, target)["velocity"].ravel(), expected, rtol=1e-7, atol=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("measure", [None, "isotropy"])
 def test_classical_projects_the_gradient_into_the_null_space(panda, measure, rng):
     """(7), with I_n."""
@@ -243,6 +245,7 @@ def test_without_active_bounds_the_answer_is_the_minimum_of_the_cost(panda, rng)
 # ---- gradient and Hessian of the manipulability
 
 
+@pytest.mark.slow
 def test_central_differences_equal_the_exact_derivatives(panda, rng):
     """(17) and (19) against (18) and our Hessian, seen through H and g with Q_δ so small that the drive is all."""
     exact = controller(panda, mp.formulations.Objective(alpha=1.0, sample_time=1.0, convexify=False))

@@ -154,6 +154,7 @@ def test_yaml_by_the_rules_of_its_version_1_2(tmp_path, text, value):
     assert read == value and type(read) is type(value)
 
 
+@pytest.mark.slow
 @given(
     st.recursive(
         st.none()

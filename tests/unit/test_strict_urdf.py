@@ -300,6 +300,7 @@ def test_a_whole_srdf(edited, tmp_path, caplog):
     assert robot.states["up"].tolist() == [1.0, 0.5] and not caplog.text
 
 
+@pytest.mark.slow
 def test_the_catalogue_says_nothing(caplog):
     """One SRDF serves three arms of UR; that of Baxter has joints that the description lacks."""
     pytest.importorskip("example_robot_data")

@@ -93,12 +93,14 @@ def test_wrong_limits(limit):
         mp.Seeding(time_limit=limit)
 
 
+@pytest.mark.slow
 def test_a_plan_with_hardly_any_time_is_a_checked_motion_or_says_that_there_is_no_path(panda):
     for limit in (1e-3, 0.05, 0.2):
         plan = mp.plan(panda, START, GOAL, POST, clearance=0.01, seeding=mp.Seeding(time_limit=limit), throw=False)
         assert plan.status is mp.Status.NO_PATH or plan.report.passed
 
 
+@pytest.mark.slow
 def test_an_executor_keeps_the_limit_too(panda):
     with ThreadPoolExecutor(2) as executor:
         result = mp.optimize_path(

@@ -301,6 +301,7 @@ def test_speeds_at_the_ends(panda, rng, start, end, jerk):
     assert trajectory.duration < mp.retime(path, panda, limits=limits).duration
 
 
+@pytest.mark.slow
 def test_speeds_that_limits_do_not_allow():
     robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=[1.0, 2.0], acceleration=2.0)
     path = mp.JointPath.line([0.0, 0.0], [0.01, 0.0])
@@ -335,6 +336,7 @@ def test_segments_hold_where_they_are_and_nowhere_else():
         assert trajectory.duration == pytest.approx(left + 0.8 / 0.3 + right, rel=3e-3)
 
 
+@pytest.mark.slow
 @given(limit=st.floats(0.1, 10.0))
 @settings(max_examples=30, deadline=None)
 def test_the_speed_that_a_message_allows_is_allowed(limit):
@@ -376,6 +378,7 @@ def test_the_tool_keeps_its_speed(planar):
     assert speed.max() > 0.4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["z1", "so100", "b1_z1"])
 def test_a_tool_whose_name_a_joint_has_too_keeps_its_speed(name):
     robot = mp.load_robot(name)

@@ -77,6 +77,7 @@ def test_what_is_told_equals_forward_kinematics(arm):
     assert len(tracking.reports) == len(tracking.solve_times) <= len(tracking.q) - 1
 
 
+@pytest.mark.slow
 def test_the_deviation_in_rotation_is_an_angle(panda):
     """Whatever the length of the task: a tool that stays behind by 0.2 rad."""
     start = np.array(panda.kinematics().pose(panda.neutral))
@@ -95,6 +96,7 @@ def _shift(by):
     return matrix
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["arm", "panda"])
 def test_inside_a_tube_the_manipulability_rises_and_the_tolerance_holds(request, name):
     """To 2 %, for what the path bends within a step; without the tube the same low stiffness leaves it."""
@@ -121,6 +123,7 @@ MEASURES_THAT_GROW = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("measure", MEASURES_THAT_GROW, ids=lambda each: each.name)
 def test_the_given_measure_is_raised_while_the_tool_follows(arm, measure):
     """Above what it is without a drive, and above what driving Yoshikawa's manipulability gives."""

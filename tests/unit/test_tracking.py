@@ -49,6 +49,7 @@ def test_every_formulation_follows_a_line_within_all_limits(panda, formulation):
         assert use.ratio <= 1 + 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("measure", ["frobenius", "isotropy"])
 def test_another_measure_is_raised_on_the_same_line(panda, measure):
     shared = {"dt": DT, "duration": 2.0, "measure": measure, "compiled": False}
@@ -286,6 +287,7 @@ def test_random_steps_find_no_failure(tmp_path, monkeypatch):
     assert counts["xarm7"].not_solved == counts["xarm7"].not_finite == counts["xarm7"].outside == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 def test_the_arm_comes_to_rest_before_a_target_out_of_reach(name):
     robot = mp.load_robot(name)

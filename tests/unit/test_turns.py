@@ -68,6 +68,7 @@ def test_a_log_as_reported_is_the_log_as_driven(motion, noise, kind):
     np.testing.assert_array_equal(as_driven.q, q)
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(motion=motions, row=st.integers(5, 90), turns=st.sampled_from([-1, 1]))
 def test_a_jump_of_a_joint_with_limits_names_row_and_joint(motion, row, turns):

@@ -48,6 +48,7 @@ def place(robot, frame, q):
     return data.oMf[robot.model.getFrameId(frame)].homogeneous
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "joints", "shared"), [("baxter", 14, 0), ("tiago_dual", 15, 1), ("talos", 16, 2)])
 def test_robots_with_both_arms(name, joints, shared):
     robot = mp.load_robot(name)
@@ -100,6 +101,7 @@ def test_tools_and_parts_of_either_hand(baxter):
         changed.attach(mp.Sphere(radius=0.02), tool="tap")
 
 
+@pytest.mark.slow
 def test_the_smooth_minimum_is_near_the_minimum_of_both_arms(baxter):
     q = baxter.random_configuration(np.random.default_rng(1), size=200)
     m = np.array([baxter.arm(tool).kinematics().manipulability(q[:, list(baxter.joints_of(tool))]) for tool in TOOLS])
@@ -108,6 +110,7 @@ def test_the_smooth_minimum_is_near_the_minimum_of_both_arms(baxter):
     assert (found >= m.min(axis=0) * 2 ** (-1 / 16) * (1 - 1e-12)).all()
 
 
+@pytest.mark.slow
 def test_weights_give_the_mean(baxter):
     q = baxter.random_configuration(np.random.default_rng(1), size=20)
     m = [baxter.arm(tool).kinematics().manipulability(q[:, list(baxter.joints_of(tool))]) for tool in TOOLS]
@@ -115,6 +118,7 @@ def test_weights_give_the_mean(baxter):
     np.testing.assert_allclose(baxter.kinematics(measure=measure).manipulability(q), (m[0] + 3 * m[1]) / 4, rtol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "options",
     [
@@ -266,6 +270,7 @@ def test_both_hands_reach_their_poses(baxter, scene, swapped):
     assert not any(model._touches(each, 0.0) for each in plan.path(np.linspace(0, 1, 100)))
 
 
+@pytest.mark.slow
 def test_the_report_tells_of_each_tool(baxter, swapped):
     _, plan = swapped
     left, right = plan.report.tools

@@ -45,6 +45,7 @@ def test_the_way_of_each_tool_is_drawn(plan):
     assert "tools, path" in [text.get_text() for text in plot_arm(plan.robot, plan.path).get_legend().get_texts()]
 
 
+@pytest.mark.slow
 def test_ellipsoids_of_an_animation_are_at_their_tools(plan, monkeypatch):
     centres = []
     monkeypatch.setattr("manipplan.viz.animation.plot_ellipsoid", lambda _, centre, **__: centres.append(centre))
@@ -72,6 +73,7 @@ def test_the_ellipsoids_of_the_viewer_are_at_their_tools(plan):
             np.testing.assert_allclose(figure.mesh.position, place, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_rods_lead_to_each_tool(plan):
     robot, q = plan.robot, plan.robot.neutral
     data = robot.model.createData()

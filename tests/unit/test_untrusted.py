@@ -282,6 +282,7 @@ def straight_plan(robot, scene):
     return replace(plan, robot=robot, scene=scene)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["a script", "the end of a string"])
 def test_pages_show_names_as_text(kind, tmp_path):
     from manipplan.viz.motions import ShownMotion
@@ -296,6 +297,7 @@ def test_pages_show_names_as_text(kind, tmp_path):
         assert "<script>document" not in text and "<img src=x" not in text
 
 
+@pytest.mark.slow
 def test_the_viewer_takes_no_markdown_with_names(tmp_path, monkeypatch):
     """viser renders HTML and links in Markdown."""
     import viser

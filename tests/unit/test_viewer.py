@@ -282,6 +282,7 @@ def test_switches_hide_what_they_name(shown, page):
         shown.stage.layers[name].visible = True
 
 
+@pytest.mark.slow
 def test_what_is_checked_replaces_the_links(plan):
     """The bodies stand where Pinocchio puts those of the collision model; the links are hidden meanwhile."""
     robot = mp.planar_arm([0.5, 0.4])
@@ -324,6 +325,7 @@ def test_capsules_are_drawn_where_the_controller_has_them():
         assert drawn_body.joint == body.joint
 
 
+@pytest.mark.slow
 def test_there_is_nothing_to_check_without_collision_geometry(plan, tmp_path):
     file = tmp_path / "arm.urdf"
     file.write_text(ARM.format(visual="", collision=""))
@@ -661,6 +663,7 @@ def test_keys_and_buttons_move_the_tool_through_the_edge_of_its_reach(open_page)
     assert not live.running
 
 
+@pytest.mark.slow
 def test_a_program_moves_the_tool_until_its_command_is_stale():
     with viewer.teleoperate(mp.planar_arm([1.0, 0.8, 0.6]), start=[0.3, 0.8, 0.9], port=0, open_browser=False) as live:
         before, end = live.pose[0, 3], time.monotonic() + 30.0
@@ -868,6 +871,7 @@ def test_the_chart_holds_its_curves(first, last):
     assert np.sign(places[0] - places[-1]) == np.sign(last - first)
 
 
+@pytest.mark.slow
 def test_a_port_in_use_is_an_error(plan):
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
@@ -914,6 +918,7 @@ def test_a_plan_without_a_motion_is_an_error(plan):
         assert caught.value.result is failed
 
 
+@pytest.mark.slow
 def test_a_speed_that_is_none_does_not_end_the_play(plan):
     with plan.show(port=0, open_browser=False) as page:
         for value in (-3.0, 0, "fast", np.nan):

@@ -62,6 +62,7 @@ def test_a_name_that_points_to_this_machine_does_not(page, host):
     assert status_of(page, Host=host) == 403
 
 
+@pytest.mark.slow
 def test_a_message_that_is_not_understood_takes_one_line(page, caplog):
     async def send():
         async with connect(f"ws://127.0.0.1:{port_of(page)}", subprotocols=["viser-v1.1.1"]) as socket:
@@ -74,6 +75,7 @@ def test_a_message_that_is_not_understood_takes_one_line(page, caplog):
     assert status_of(page, Host="localhost") == 200
 
 
+@pytest.mark.slow
 @given(host=HOSTS, port=st.integers(1, 65535))
 def test_no_other_name_is_this_machine(host, port):
     assert refusal([f"{host}:{port}"], [f"http://{host}:{port}"], "127.0.0.1")

@@ -129,6 +129,7 @@ def test_an_error_in_the_block_ends_work_at_once():
         queued.result(timeout=0)
 
 
+@pytest.mark.slow
 def test_processes_do_not_react_to_ctrl_c(workers):
     pid = workers.submit(os.getpid).result()
     assert os.getpgid(pid) != os.getpgid(0)  # a terminal interrupts the group of the caller
@@ -194,6 +195,7 @@ def speak():
     return "result"
 
 
+@pytest.mark.slow
 def test_what_work_prints_does_not_get_among_the_results(workers):
     assert workers.submit(speak).result() == "result"
 
@@ -205,6 +207,7 @@ def test_a_process_that_does_not_start_is_told(monkeypatch):
     assert not caught.value.started
 
 
+@pytest.mark.slow
 def test_a_wrong_count_is_told():
     with pytest.raises(mp.errors.InvalidInputError, match="count: got 0"):
         Workers(0)

@@ -80,6 +80,7 @@ def read(arm):
 # ---- what a file expands to
 
 
+@pytest.mark.slow
 def test_a_package_with_includes_yaml_and_macros(arm, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     robot = mp.load_robot(arm().relative_to(tmp_path))
@@ -132,6 +133,7 @@ def test_an_argument_without_a_value_is_named(read, elements):
         read(elements)
 
 
+@pytest.mark.slow
 def test_all_arguments_without_a_value_are_named_at_once(read):
     elements = '<xacro:arg name="kind"/><!-- $(arg no) --><frame name="$(arg kind)$(arg size)$(arg prefix)">$(arg load)</frame>'
     match = r"the arguments 'kind', 'size', 'load' have no value; give it in arguments={'kind': \.\.\., 'size': \.\.\., 'load'"
@@ -142,6 +144,7 @@ def test_all_arguments_without_a_value_are_named_at_once(read):
     assert read(elements, arguments={"kind": "a", "size": 1, "load": 2.5}).n == 2
 
 
+@pytest.mark.slow
 def test_a_default_holds_before_its_line(arm):
     """As in Universal Robots' files, whose first line is <robot name="$(arg name)">."""
     file = arm('<xacro:arg name="name" default="ur"/>')
@@ -185,6 +188,7 @@ def test_packages_are_found_as_in_ros(arm, tmp_path, monkeypatch):
     assert mp.load_robot(file).tool == "hand"
 
 
+@pytest.mark.slow
 def test_the_library_alone_expands_to_the_same(arm):
     """The library as ROS calls it, in a process of its own, is the oracle."""
     text = ARM.replace("$(find arm_description)", str(arm().parents[1]))
@@ -229,6 +233,7 @@ def combined(inner):
     )
 
 
+@pytest.mark.slow
 @examples(500)
 @given(st.recursive(NUMBERS | LISTS, combined, max_leaves=6))
 def test_expressions_are_those_of_python(text):
@@ -281,6 +286,7 @@ ESCAPES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ESCAPES)
 def test_no_code_runs_unless_the_file_is_trusted(read, arm, tmp_path, kind):
     mark = tmp_path / "mark"
@@ -328,6 +334,7 @@ def test_expressions_that_are_refused(text):
         evaluate(text, {"load": test_expressions, "dict": dict, "str": str})
 
 
+@pytest.mark.slow
 def test_environment_variables(read, monkeypatch):
     monkeypatch.setenv("SECRET", "0.7")
     for text in ("$(env SECRET)", "$(optenv SECRET 1)", "$(eval env${'\\x28'}'SECRET'${'\\x29'})"):
@@ -366,6 +373,7 @@ def test_files_outside_the_packages(read, arm, tmp_path):
             read(f'<xacro:include filename="$(find {name})/passwd"/>')
 
 
+@pytest.mark.slow
 def test_a_saved_robot_does_not_say_that_its_file_is_trusted(arm, tmp_path):
     mark = tmp_path / "mark"
     code = ESCAPES["lambda"].replace("MARK", str(mark))
@@ -383,6 +391,7 @@ def test_a_saved_robot_does_not_say_that_its_file_is_trusted(arm, tmp_path):
     assert not mark.exists()
 
 
+@pytest.mark.slow
 def test_a_library_that_evaluates_elsewhere_is_not_used(read, tmp_path, monkeypatch):
     """A later version may do so; then what replaces its evaluation has no effect."""
     import importlib.util
@@ -483,6 +492,7 @@ def test_the_library_is_not_installed(arm, monkeypatch):
         mp.load_robot(arm())
 
 
+@pytest.mark.slow
 def test_nothing_is_left_behind(arm, monkeypatch, tmp_path):
     monkeypatch.setattr(urdf_files.tempfile, "tempdir", str(tmp_path / "tmp"))
     (tmp_path / "tmp").mkdir()
