@@ -85,9 +85,8 @@ kernels: $(READY)
 	$(BIN)/python manipplan/support/compiling/kernel_library.py
 	set -e; cd manipplan/csrc; for kernel in $(KERNELS); do \
 	  echo "; $$kernel $$(cat $$kernel.c $$(ls *.h | LC_ALL=C sort) | sha256sum | cut -d' ' -f1)"; \
-	  level="-O2 -fno-unroll-loops"; [ $$kernel != distances ] || level=-O3; \
-	  clang-16 $$level -fno-vectorize -fno-slp-vectorize -ffp-contract=off -fno-math-errno -fno-trapping-math \
-	    -S -emit-llvm -o - $$kernel.c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
+	  clang-16 -O2 -fno-unroll-loops -fno-inline-functions -fno-vectorize -fno-slp-vectorize \
+	    -ffp-contract=off -fno-math-errno -fno-trapping-math -S -emit-llvm -o - $$kernel.c | sed -E -e '/^(target|source_filename|!|;)|noalias\.scope\.decl/d' \
 	    -e 's/"(target|tune)-[a-z]+"="[^"]*"//g' -e 's/, !(tbaa|tbaa\.struct|llvm\.loop|noalias|alias\.scope|prof) ![0-9]+//g'; \
 	  done | xz -9e > kernels.ll.xz
 
