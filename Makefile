@@ -156,7 +156,7 @@ benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/demo_timing.py
 	$(BIN)/python benchmarks/motionbenchmaker.py --peers mplib --out docs/benchmarks/motionbenchmaker_mplib.md --picture docs/pictures/motionbenchmaker_mplib.png
 	$(BIN)/python benchmarks/timed_motions.py
-	$(BIN)/python benchmarks/servo.py --count 0
+	$(BIN)/python benchmarks/servo.py
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py

@@ -25,6 +25,9 @@ NEAR, AROUND = 0.05, 1.0
 CONE = 0.3
 #: Steps between two samples.
 EVERY = 25
+#: Share of the command by which a sample moves backward, and time [s] before a sample from which velocities are sought that the
+#: joints could have reached.
+BACKWARD, REACTION = -0.02, 0.1
 #: A stall: a window [s] in which less than a share is followed, although a pose ahead [m] is reachable with no joint moving
 #: farther than this [rad].
 WINDOW, STALLED, AHEAD, FARTHEST = 0.25, 0.05, 0.005, 0.8
@@ -187,6 +190,7 @@ def flips(acceleration: Array, limit: float) -> int:
 
 def _following(arm: Arm, run: Run) -> dict[str, float]:
     share, bound, sigma, angle, slip, speed, at = [], [], [], [], [], [], []
+    avoidable = 0
     for k in range(0, len(run.raw), EVERY):
         command = arm.scaled(run.twist[k])
         size = float(np.linalg.norm(command))
@@ -199,6 +203,8 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
         at.append(k)
         share.append(forward / size)
         bound.append(_possible(jacobian, command, *arm.stopping(run.q[k])))
+        if share[-1] < BACKWARD:
+            avoidable += _in_time(arm, run, k, jacobian, command) > 0
         sigma.append(np.linalg.svd(jacobian, compute_uv=False)[-1])
         angle.append(np.degrees(np.arctan2(across, forward)))
         slip.append(across / size)
@@ -210,17 +216,28 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
     for i in range(0, len(at) - window, window):
         if np.mean(share[i : i + window]) < STALLED:
             middle = at[i + window // 2]
-            stalls += _reachable(arm, run.q[middle], run.twist[middle])
+            if _reachable(arm, run.q[middle], run.twist[middle]):
+                stalls += 1
+                best = [_in_time(arm, run, k, arm.jacobian(run.q[k]), arm.scaled(run.twist[k])) for k in at[i : i + window]]
+                avoidable += np.mean(best) >= STALLED
     near = np.minimum(followed, limit)[counts].sum() / limit[counts].sum() if counts.any() else np.nan
     return {
         "near": float(near),
         "followed": float(followed.mean()),
-        "backward": float((np.array(share) < -0.02).mean()),
+        "backward": float((np.array(share) < BACKWARD).mean()),
+        "avoidable": avoidable,
         "angle": float(np.mean(np.array(angle)[moving])) if moving.any() else 0.0,
         "slip": float(np.mean(slip)),
         "stalled": stalls * WINDOW,
         "least_sigma": float(np.min(sigma)),
     }
+
+
+def _in_time(arm: Arm, run: Run, k: int, jacobian: Array, command: Array) -> float:
+    """Largest share of a command at step k by velocities that the joints could have reached in REACTION."""
+    low, high = arm.stopping(run.q[k])
+    before, change = run.qd[max(k - round(REACTION / DT), 0)], arm.acceleration * REACTION
+    return _possible(jacobian, command, np.clip(before - change, low, high), np.clip(before + change, low, high))
 
 
 def _possible(jacobian: Array, command: Array, low: Array, high: Array) -> float:

@@ -54,6 +54,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define STRAIGHT 0.02    /* curvature up to which it is a pole; between the two it is both, in part */
 #define AHEAD 0.1        /* joint motion to which ways out are compared [rad] */
 #define VANISHED 1e-11   /* σ whose v is rounding [m] */
+#define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
 
 typedef struct {
@@ -640,7 +641,7 @@ static void escape(const Servo *servo, Work *w) {
     }
     double sharpest = 0, smallest = w->s[w->r - 1];
     for (long a = 0; a < d; a++) sharpest = most(sharpest, fabs(value[a]));
-    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= STRAIGHT) return;
+    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= BENT) return;
     /* R = Nᵀ M (I - N Nᵀ): how fast motions in N turn the lost direction; the top left singular vector of R */
     double R[MOST][MOST], RR[MOST][MOST];
     for (long a = 0; a < d; a++) {
@@ -666,7 +667,7 @@ static void escape(const Servo *servo, Work *w) {
     }
     double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
     double share = (1 - smallest / TURNED) * (lost / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1)
-                 * least(2 * (1 - sharpest / STRAIGHT), 1);
+                 * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
     for (long a = 0; a < d; a++) {
         w->g[first + a] += share * (turn * vector[0][a] * fastest - w->g[first + a]);
         w->w[first + a] = most(w->w[first + a], EPSILON);
@@ -677,7 +678,7 @@ static void escape(const Servo *servo, Work *w) {
 
 /* Solve (1): in y = w Vᵀ q̇ it is the point nearest to w g that meets all bounds and rows, found by a dual active set
    [goldfarb1983]. Rows give way where they contradict each other. `force` (n + 1): the multiplier of each joint's bound, negative for
-   a lower one, and the largest of the rows. Returns 0 where it does not end. */
+   a lower one, and the largest of the rows of obstacles. Returns 0 where it does not end. */
 static int nearest_point(const Servo *servo, const Work *w, double *x, double *force) {
     long n = w->n, count = 2 * n + w->guards + servo->pairs, active[TOGETHER], size = 0;
     double y0[MOST], y[MOST], row[TOGETHER][MOST], rhs[TOGETHER], soft[TOGETHER], lambda[TOGETHER];
@@ -709,7 +710,7 @@ static int nearest_point(const Servo *servo, const Work *w, double *x, double *f
         if (worst < 0) {
             for (long a = 0; a < size; a++)
                 if (active[a] < 2 * n) force[active[a] % n] = active[a] < n ? lambda[a] : -lambda[a];
-                else force[n] = most(force[n], lambda[a]);
+                else if (active[a] >= 2 * n + w->guards) force[n] = most(force[n], lambda[a]);
             return 1;
         }
         if (size == TOGETHER) return 0;
@@ -777,6 +778,32 @@ static int nearest_point(const Servo *servo, const Work *w, double *x, double *f
     return 0;
 }
 
+/* Where x (n) moves the tool backward, as where one joint brakes at its limit and others cannot as fast: move it within the bounds by the
+   least multiple of f = Jᵀ V / |V| that ends this. Rows of folds and obstacles come first. It fades where |f| falls to LOST. */
+static void keep_forward(const Servo *servo, const Work *w, double *x) {
+    double f[MOST], moved[MOST], row[MOST], begin = 0, end = 0;
+    if (!(w->size > 1e-9)) return;
+    for (long i = 0; i < w->n; i++) {
+        f[i] = 0;
+        for (long k = 0; k < w->m; k++) f[i] += w->W[k] / w->size * w->J[k][i];
+    }
+    double rate = dot(w->n, f, x), wanted = rate * clip((ALONG - sqrt(dot(w->n, f, f))) / (ALONG - LOST), 0, 1);
+    if (!(rate < wanted)) return;
+    for (long i = 0; i < w->n; i++) /* the multiple at which all joints are at their bounds */
+        if (fabs(f[i]) > 1e-9) end = most(end, ((f[i] > 0 ? w->high[i] : w->low[i]) - x[i]) / f[i]);
+    for (int halving = 0; halving < 50; halving++) {
+        double t = halving ? (begin + end) / 2 : end;
+        for (long i = 0; i < w->n; i++) moved[i] = clip(x[i] + t * f[i], w->low[i], w->high[i]);
+        if (dot(w->n, f, moved) >= wanted) end = t;
+        else begin = t;
+    }
+    for (long c = 0; c < w->guards + servo->pairs; c++) {
+        double bound = row_of(servo, w, c, row);
+        if (bound > -1e12 && dot(w->n, row, moved) < least(bound, dot(w->n, row, x)) - 1e-9) return;
+    }
+    memcpy(x, moved, (size_t)w->n * sizeof *x);
+}
+
 /* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
 static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, double *force) {
     long n = w->n, m = servo->world_rows + servo->tool_rows, joints = servo->joints;
@@ -812,7 +839,9 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
     singular_rates(servo, w);
     escape(servo, w);
     int solved = nearest_point(servo, w, x, part);
-    for (long i = 0; i < n; i++) velocity[w->joint[i]] = clip(x[i], w->low[i], w->high[i]), force[w->joint[i]] = part[i];
+    for (long i = 0; i < n; i++) x[i] = clip(x[i], w->low[i], w->high[i]), force[w->joint[i]] = part[i];
+    keep_forward(servo, w, x);
+    for (long i = 0; i < n; i++) velocity[w->joint[i]] = x[i];
     force[joints] = part[n];
     return solved;
 }
