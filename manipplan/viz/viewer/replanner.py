@@ -174,12 +174,12 @@ class Replanner:
         with self._lock:
             if stopped.is_set():
                 return
-            self._set_planning(False)
             if isinstance(found, str):
                 self._say(found, failed=True)
             else:
                 self.text = f"{found.status.value[0].upper()}{found.status.value[1:]}."
                 self._show(ShownMotion.of(found))  # which fills the panel again
+            self._set_planning(False)
 
     def _say(self, text: str, *, failed: bool = False) -> None:
         self.text = text
