@@ -42,7 +42,7 @@ def _block(translator: Any, node: nodes.math_block) -> None:
 def _mathml(node: nodes.Element, *, as_block: bool) -> str:
     source = node.astext()
     if UNBRACED.search(source):
-        raise ExtensionError(f"{node.source}:{node.line}: write the fraction in {source!r} with braces: \\\\frac{{1}}{{2}}")
+        raise ExtensionError(f"{node.source}:{node.line}: write the fraction in {source!r} with braces")
     try:
         mathml = tex2mathml(source, as_block=as_block)
     except MathError as error:
