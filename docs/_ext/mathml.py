@@ -13,6 +13,8 @@ from sphinx.errors import ExtensionError
 
 #: Dots as an accent of their own are not drawn by every browser without a mathematical font; a letter with dots is.
 DOTTED = re.compile(r'<mover accent="true">\s*<mi>(\w)</mi>\s*<mo[^>]*>([˙¨])</mo>\s*</mover>')
+#: docutils takes all digits that follow for the numerator, and the next letter for the denominator.
+UNBRACED = re.compile(r"\\[dt]?frac\s*\d")
 DOTS = {"˙": "\u0307", "¨": "\u0308"}
 
 
@@ -39,6 +41,8 @@ def _block(translator: Any, node: nodes.math_block) -> None:
 
 def _mathml(node: nodes.Element, *, as_block: bool) -> str:
     source = node.astext()
+    if UNBRACED.search(source):
+        raise ExtensionError(f"{node.source}:{node.line}: write the fraction in {source!r} with braces")
     try:
         mathml = tex2mathml(source, as_block=as_block)
     except MathError as error:

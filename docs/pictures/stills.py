@@ -57,6 +57,7 @@ PROGRAM = Still(path="program.parts[1].path", robot="program.parts[1].robot", sc
 STILLS = {
     "first_steps/first_plan": Still(at=0.55, other="plan.result.seed"),
     "first_steps/own_robot": Still(at=0.3, other="plan.result.seed"),
+    "first_steps/trajectory_files": Still(path="path", scene="mp.Scene()", at=0.3),
     "plan/shelf": Still(at=0.5, other="plan.result.seed", direction=(50.0, -20.0)),
     "plan/cell": Still(robot="carrying", scene="free", at=0.8, ellipsoid=False),
     "plan/pick_and_place": replace(PROGRAM, at=0.6),
@@ -74,6 +75,17 @@ STILLS = {
     "follow/no_motion": Still(path="less.path", scene="mp.Scene()"),
     "track/tracking": Still(path="trajectory.path()", scene="mp.Scene()"),
     "track/improve_recording": Still(scene="mp.Scene()", other="recorded.path()"),
+    "track/avoidance": Still(
+        path="mp.JointPath.through(postures)",
+        scene="mp.Scene([mp.Sphere(radius=ball.radius, position=balls[200])])",
+        at=1 / 6,
+        ellipsoid=False,
+    ),
+    "track/servo_mujoco": Still(path="mp.JointPath.through(runs['mp.Servo']['q'][::25])", scene="mp.Scene()", at=0.5),
+    "track/lerobot": Still(path="mp.JointPath.through([each['goal'] for each in log])", scene="mp.Scene()", at=0.6),
+    "measure/own_measure": Still(path="ours.path", scene="mp.Scene()", other="theirs.path"),
+    "deploy/certificate": Still(at=0.4),
+    "deploy/mujoco_playback": Still(robot="robot", scene="problem.scene", at=0.7, other="plan.result.seed"),
 }
 
 

@@ -466,11 +466,40 @@ def test_planning_again_fails_in_words_and_can_be_stopped(plan, monkeypatch):
         assert reported.wait(10)
         assert "Looking for a first path" in again.text
         again.stop()
-        wait_until(lambda: not again.planning)
+        assert not again.planning
         assert "Stopped" in again.text and live.motion.plan is made
+        reported.clear()
         again.plan()
         assert reported.wait(10)
     assert not live.running  # a page that plans can be closed
+
+
+def test_a_stop_between_two_steps_of_the_planner_counts_at_once(plan, monkeypatch):
+    """What the planner returns afterwards is dropped, and planning again waits for it."""
+    begun, go_on = threading.Event(), threading.Event()
+
+    def slow(*_, **__):
+        begun.set()
+        assert go_on.wait(10)
+        return replace(plan, goal_index=0)
+
+    monkeypatch.setattr(replanner, "plan", slow)
+    with plan.show(port=0, open_browser=False) as live:
+        again = live.replanner
+        again.plan()
+        assert begun.wait(10)
+        begun.clear()
+        again.stop()
+        assert not again.planning and again.text == replanner.STOPPED
+        again.plan()
+        assert again.planning and not begun.wait(0.5)
+        again.stop()
+        go_on.set()
+        assert not begun.wait(0.5)
+        assert live.motion.plan is plan and again.text == replanner.STOPPED
+        again.plan()
+        wait_until(lambda: live.motion.plan is not plan)
+        wait_until(lambda: not again.planning)
 
 
 def test_only_a_plan_to_a_goal_can_be_planned_again(plan):

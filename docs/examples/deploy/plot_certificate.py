@@ -2,9 +2,8 @@
 Do not believe us: check a plan with Pinocchio alone
 ====================================================
 
-.. image:: images/sphx_glr_plot_certificate_001.png
-   :alt: Manipulability and distance to the boxes over time, computed without this
-         library, above the values of the report.
+.. image:: /pictures/certificate.jpg
+   :alt: A Panda reaches round a post on a table.
    :width: 560px
 
 *For those who approve a motion before it runs.*
@@ -14,6 +13,8 @@ may want to check both with independent tools. This page prints both, then compu
 numbers again from the exported file, with NumPy, Pinocchio and its collision library
 coal.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/certificate.jpg"
 
 # %%
 # Plan a motion among a few boxes and save the plan.

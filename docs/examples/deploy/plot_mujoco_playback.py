@@ -2,8 +2,8 @@
 Play a motion in MuJoCo
 =======================
 
-.. image:: images/sphx_glr_plot_mujoco_playback_001.png
-   :alt: Tracking error and torque of a simulated Panda over time.
+.. image:: /pictures/mujoco_playback.jpg
+   :alt: A Panda among five boxes, on its planned path and on the planner's.
    :width: 560px
 
 *For those who want to try a motion in simulation first.*
@@ -12,6 +12,8 @@ A plan keeps the velocity, acceleration and jerk limits. Can a simulated arm wit
 control follow it, and which torques does this take? The simulator is MuJoCo, which
 shares no code with the planner: its inputs are the robot's URDF and a CSV file.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/mujoco_playback.jpg"
 
 # %%
 # The plan is that of the Panda among five boxes. For comparison, the planner's first

@@ -2,9 +2,8 @@
 Trajectories in and out of files
 ================================
 
-.. image:: images/sphx_glr_plot_trajectory_files_001.png
-   :alt: Positions, velocities and accelerations of six joints over time, as read
-         from a file.
+.. image:: /pictures/trajectory_files.jpg
+   :alt: A UR5 and the way of its tool from the start to the goal.
    :width: 560px
 
 *For anyone who passes motions to a controller, a spreadsheet or another program.*
@@ -13,6 +12,8 @@ Motions are exchanged in files: a recording as CSV, ROS messages for a controlle
 NumPy archive for a script. This page writes one trajectory in each format, reads it
 back, and shows the error messages for broken files.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/trajectory_files.jpg"
 
 import tempfile
 from pathlib import Path

@@ -2,8 +2,8 @@
 Add your own measure
 ====================
 
-.. image:: images/sphx_glr_plot_own_measure_001.png
-   :alt: The measure, the speed along x and the force along z on two paths.
+.. image:: /pictures/own_measure.jpg
+   :alt: A Panda and the ways of its tool, by the new measure and by Yoshikawa's.
    :width: 560px
 
 *For tasks that no built-in measure describes.*
@@ -13,6 +13,8 @@ class with two methods: its value as a CasADi expression, and its unit. You get 
 gradient, the Hessian, machine code, batches and the path optimiser without further
 code.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/own_measure.jpg"
 
 # %%
 # The task of this page: an arm that deburrs a horizontal plate presses along z of its

@@ -2,9 +2,8 @@
 A controller in a loop, with something in the way
 =================================================
 
-.. image:: images/sphx_glr_plot_avoidance_001.png
-   :alt: Distance to the ball, deviation of the tool and manipulability over six
-         seconds.
+.. image:: /pictures/avoidance.jpg
+   :alt: A Panda gives way to a ball that flies through the place of its wrist.
    :width: 560px
 
 *For teleoperation and visual servoing.*
@@ -14,6 +13,8 @@ pose of the tool, perhaps from a teleoperation device or a camera, and moving ob
 ``mp.Controller`` computes the velocities, keeps the limits, avoids the obstacles, and
 raises the manipulability.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/avoidance.jpg"
 
 import time
 
@@ -57,7 +58,7 @@ print(f"{len(controller.pairs)} pairs of bodies are kept apart")
 
 steps = 1200
 log = {name: np.empty(steps) for name in ("m", "clearance", "deviation", "solved")}
-trace, balls = np.empty((steps, 3)), np.empty((steps, 3))
+postures, balls = np.empty((steps, robot.n)), np.empty((steps, 3))
 qd = np.zeros(robot.n)
 speed = np.array([0.0, -0.20, 0.0])
 largest = np.zeros(robot.n)
@@ -74,9 +75,9 @@ for k in range(steps):
     report = controller.report
     largest = np.maximum(largest, np.abs(command - qd) / dt / robot.limits.acceleration)
     q, qd = q + dt * command, command
-    trace[k], balls[k] = kinematics.pose(q)[:3, 3], centre
+    postures[k], balls[k] = q, centre
     log["m"][k], log["clearance"][k] = report.manipulability, report.clearance
-    log["deviation"][k] = np.linalg.norm(trace[k] - target[:3, 3])
+    log["deviation"][k] = np.linalg.norm((kinematics.pose(q) - target)[:3, 3])
     log["solved"][k] = not report.status.brakes
 print(
     f"{int(log['solved'].sum())} of {steps} steps solved; minimum distance "

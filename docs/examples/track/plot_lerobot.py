@@ -2,9 +2,8 @@
 A step of a LeRobot pipeline
 ============================
 
-.. image:: images/sphx_glr_plot_lerobot_001.png
-   :alt: Position of the gripper and speed of the joints over time: the arm is pushed to
-         the edge of its reach and pulled back.
+.. image:: /pictures/lerobot.jpg
+   :alt: An SO-100 with its gripper at the edge of its reach.
    :width: 560px
 
 *For those who teleoperate or record with LeRobot.*
@@ -16,6 +15,8 @@ with an inverse kinematics that jumps or stalls where the arm is stretched. The 
 below takes the place of that step with ``mp.Servo``. It needs no LeRobot, so this page
 runs it on a simulated SO-100.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/lerobot.jpg"
 
 # %%
 # The step: dictionaries in, a dictionary out. The servo runs eight times per frame from

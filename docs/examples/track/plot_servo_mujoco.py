@@ -2,9 +2,8 @@
 A servo in a closed loop with MuJoCo
 ====================================
 
-.. image:: images/sphx_glr_plot_servo_mujoco_001.png
-   :alt: Speed of the tool along the command and torque over time: the tool comes to the
-         edge of its reach and back with mp.Servo, with damped least squares it lags.
+.. image:: /pictures/servo_mujoco.jpg
+   :alt: A Panda stretched to the edge of its reach, and the way of its tool.
    :width: 560px
 
 *For teleoperation of an arm that is not ideal.*
@@ -14,6 +13,8 @@ state arrives late, and so does the command. Here ``mp.Servo`` drives a Panda in
 with all three, out to the edge of its reach, sideways, and back. Damped least squares,
 the usual remedy at singularities, does the same for comparison.
 """
+
+# sphinx_gallery_thumbnail_path = "pictures/servo_mujoco.jpg"
 
 # %%
 # The simulated arm: a position and a velocity actuator per joint with the gains of a

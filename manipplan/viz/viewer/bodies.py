@@ -59,7 +59,7 @@ Colour = tuple[float, float, float, float]
 #: Number of triangles of all meshes that do not move, such as the legs of a humanoid, and of one of them at least.
 STILL, LEAST_STILL = 30_000, 1000
 #: Colour of geometry without a colour of its own.
-GREY = (0.72, 0.74, 0.77, 1.0)
+GREY = (0.5, 0.52, 0.56, 1.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -34,11 +34,15 @@ class _StopError(Exception):
     """The planning was stopped."""
 
 
+#: What the panel says then.
+STOPPED = "Stopped; the motion is the one before."
+
+
 class Replanner:
     """Arrows to drag goal and obstacles with, and a thread that plans again.
 
     Attributes:
-        planning: whether it plans.
+        planning: whether a motion was asked for, and is neither shown nor stopped.
         text: what it does, or how the last planning ended; "" before.
         scene: the obstacles where they are now.
         arrows: viser's handle of what is dragged.
@@ -48,7 +52,7 @@ class Replanner:
         """`running`: whether the page is served; `show` shows another motion, and calls `fill_panel` again."""
         self._server, self._running, self._show = server, running, show
         self._asked, self._stopped = threading.Event(), threading.Event()
-        self.planning, self.text = False, ""
+        self._lock, self.planning, self.text = threading.Lock(), False, ""
 
     def fill_panel(self, motion: ShownMotion, stage: Stage) -> None:
         """Put the controls into the panel, and the goals into the scene."""
@@ -106,37 +110,49 @@ class Replanner:
         for figure in self._stage.around.obstacles:
             figure.place(k, pose)
 
+    def _set_planning(self, value: bool) -> None:
+        self.planning = value
+        self._button.visible, self._stop.visible, self._bar.visible = not value, value, value
+
     def plan(self) -> None:
         """Ask for the motion among the obstacles as they are now."""
         if not self.planning:
-            self.planning = True
-            self._stopped.clear()
+            self._stopped = threading.Event()
+            self._bar.value = 0.0
+            self._set_planning(True)
             self._asked.set()
 
     def stop(self) -> None:
-        """Stop planning at its next step."""
-        self._stopped.set()
-        self._say("Stopping ...")
+        """Stop at once: what the planner still does until its next step is not shown."""
+        with self._lock:
+            if self.planning:
+                self._stopped.set()
+                self._say(STOPPED)
+                self._set_planning(False)
 
     def run(self) -> None:
         """Plan whenever it is asked for, until the page ends."""
         while self._running():
             if self._asked.wait(0.2):
                 self._asked.clear()
-                try:
-                    self._work()
-                finally:
-                    self.planning = False
+                if not self._stopped.is_set():
+                    self._work(self._stopped)
 
-    def _work(self) -> None:
-        self._button.visible, self._stop.visible, self._bar.visible = False, True, True
+    def _work(self, stopped: threading.Event) -> None:
+        def notify(share: float, text: str) -> None:
+            with self._lock:
+                if stopped.is_set() or not self._running():
+                    raise _StopError
+                self._bar.value = 100 * share
+                self._say(f"{text[0].upper()}{text[1:]} ...")
+
         made, result, report = self._plan, self._plan.result, self._plan.report
         goal: Goal = made.trajectory.q[-1]
         if self._is_dragged:
             poses = dict(zip(made.robot.tools, (PoseGoal(each) for each in self._goals), strict=True))
             goal = poses if len(poses) > 1 else poses[made.robot.tool]
         try:
-            found = plan(
+            found: Plan | str = plan(
                 made.robot,
                 made.trajectory.q[0],
                 goal,
@@ -147,25 +163,23 @@ class Replanner:
                 ),
                 clearance=report.required_clearance,
                 torque="torque" in report.limits,
-                progress=self._notify,
+                progress=notify,
             )
         except _StopError:
-            self._say("Stopped; the motion is the one before.")
-        except InvalidInputError as error:  # its value is an array of numbers
-            self._say(f"The {error.argument} has to be {error.allowed}.", failed=True)
-        except ManipplanError as error:
-            self._say(str(error), failed=True)
-        else:
-            self.text = f"{found.status.value[0].upper()}{found.status.value[1:]}."
-            self._show(ShownMotion.of(found))  # which fills the panel again
             return
-        self._button.visible, self._stop.visible, self._bar.visible = True, False, False
-
-    def _notify(self, share: float, text: str) -> None:
-        if self._stopped.is_set() or not self._running():
-            raise _StopError
-        self._bar.value = 100 * share
-        self._say(f"{text[0].upper()}{text[1:]} ...")
+        except InvalidInputError as error:  # its value is an array of numbers
+            found = f"The {error.argument} has to be {error.allowed}."
+        except ManipplanError as error:
+            found = str(error)
+        with self._lock:
+            if stopped.is_set():
+                return
+            if isinstance(found, str):
+                self._say(found, failed=True)
+            else:
+                self.text = f"{found.status.value[0].upper()}{found.status.value[1:]}."
+                self._show(ShownMotion.of(found))  # which fills the panel again
+            self._set_planning(False)
 
     def _say(self, text: str, *, failed: bool = False) -> None:
         self.text = text

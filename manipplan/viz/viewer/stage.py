@@ -279,6 +279,10 @@ def _draw_obstacle(scene: Any, name: str, obstacle: Obstacle) -> Array:
     return np.concatenate(seen)
 
 
+#: Colour of the grid, as far from the white as from the dark background of the page, with fine lines.
+GRID = (136, 140, 146)
+
+
 def draw_floor(scene: Any, height: float, size: float) -> Any:
     """A grid of squares of 10 cm, or of 1 m under a large robot, and the axes of the world; returns the grid's handle."""
     cell = 0.1 if size < 3 else 1.0
@@ -288,8 +292,10 @@ def draw_floor(scene: Any, height: float, size: float) -> Any:
         height=max(2 * size, 20 * cell),
         cell_size=cell,
         section_size=5 * cell,
-        cell_color=(226, 228, 232),
-        section_color=(200, 204, 210),
+        cell_color=GRID,
+        section_color=GRID,
+        cell_thickness=0.4,
+        section_thickness=0.7,
         position=(0.0, 0.0, height - 1e-3),
         shadow_opacity=0.12,
     )
