@@ -204,7 +204,7 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
         share.append(forward / size)
         bound.append(_possible(jacobian, command, *arm.stopping(run.q[k])))
         if share[-1] < BACKWARD:
-            avoidable += _in_time(arm, run, k, jacobian, command) > 0
+            avoidable += bool(_in_time(arm, run, k, jacobian, command) > 0)
         sigma.append(np.linalg.svd(jacobian, compute_uv=False)[-1])
         angle.append(np.degrees(np.arctan2(across, forward)))
         slip.append(across / size)
@@ -219,7 +219,7 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
             if _reachable(arm, run.q[middle], run.twist[middle]):
                 stalls += 1
                 best = [_in_time(arm, run, k, arm.jacobian(run.q[k]), arm.scaled(run.twist[k])) for k in at[i : i + window]]
-                avoidable += np.mean(best) >= STALLED
+                avoidable += bool(np.mean(best) >= STALLED)
     near = np.minimum(followed, limit)[counts].sum() / limit[counts].sum() if counts.any() else np.nan
     return {
         "near": float(near),
