@@ -85,7 +85,7 @@ POSTS = (
 
 # The global optimum by fast marching: grid steps [rad] without posts and among them; the pairs of postures are random.
 MARCH_STEPS, POST_STEPS, PAIR_STEP, SHIFT_STEP = (0.1, 0.05, 0.035), (0.1, 0.07), 0.07, 0.1
-PAIR_STARTS, PAIR_GOALS = 5, 20
+PAIR_STARTS, PAIR_GOALS, PAIR_PATHS = 5, 20, 4
 #: The optimiser's path counts as the global optimum up to this share.
 NEAR = 1e-3
 #: Among posts V falls by up to this share as the grid is refined further, because its postures leave room to the posts.

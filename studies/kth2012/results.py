@@ -242,7 +242,17 @@ class Results:
         return self.once(("global among", example, posts), run)
 
     def pairs(self, power: float) -> Array:
-        """V and g of the optimiser's path of degree 6 for random pairs of postures (k, 2)."""
+        """Of random pairs V, g of the geodesic that the way back leads to, and of the optimiser's path of degree 6 (k, 4).
+
+        The optimiser starts from the straight line, and then from PAIR_PATHS first paths.
+        """
+
+        def descend(start: Array, goal: Array) -> list[float]:
+            shape, objective = mp.PathShape(degree=config.BEST_DEGREE), mp.PathObjective(power=power, floor=0.0)
+            several = [mp.Seeding(count=count) for count in (1, config.PAIR_PATHS)]
+            return [
+                mp.optimize_path(self.robot, start, goal, shape=shape, objective=objective, seeding=each).g for each in several
+            ]
 
         def run() -> Array:
             random = np.random.default_rng(0)
@@ -250,11 +260,9 @@ class Results:
             for _ in range(config.PAIR_STARTS):
                 start = np.array([0.0, *random.uniform(-np.pi, np.pi, 2)])
                 goals = random.uniform((0, -np.pi, -np.pi), np.pi, (config.PAIR_GOALS, 3))
-                values = eikonal.solve(ARM, start, goals, power, config.PAIR_STEP)(goals)
-                shape, objective = mp.PathShape(degree=config.BEST_DEGREE), mp.PathObjective(power=power, floor=0.0)
-                for goal, value in zip(goals, values, strict=True):
-                    path = mp.optimize_path(self.robot, start, goal, shape=shape, objective=objective)
-                    found.append((value, path.g))
+                marched = eikonal.solve(ARM, start, goals, power, config.PAIR_STEP)
+                for goal, value in zip(goals, marched(goals), strict=True):
+                    found.append((value, geodesic(ARM, marched.back(goal), power).g, *descend(start, goal)))
             return np.array(found)
 
         return self.once(("pairs", power), run)
