@@ -116,7 +116,8 @@ def readme() -> list[Sentence]:
 
 def headlines() -> list[Sentence]:
     """The rows of the first table of the page on benchmarks, and of those at the head of its chapters."""
-    page, kinematics, control, plans = "docs/benchmarks.md", *(f"docs/measured/{each}.md" for each in ("kinematics", "servo", "plans"))
+    page = "docs/benchmarks.md"
+    kinematics, control, plans = (f"docs/measured/{each}.md" for each in ("kinematics", "servo", "plans"))
     panda, ur5 = motionbenchmaker("motionbenchmaker"), motionbenchmaker("motionbenchmaker_ur5")
     _, asked, medians, worst = programs()
     made, tried, least, most, longest = two_arms()
@@ -144,15 +145,16 @@ def headlines() -> list[Sentence]:
         Sentence(page, "in four kinds of scenes | {} of {} | mplib {} |", timed_motions()),
         Sentence(
             page,
-            "{} paths of the tool among two cubes, four arms, met to {} mm and {}° | all followed, {} of them without interruption; "
-            "{} keep CppFlow's rule, {} break it by large joint steps; these {} take {} s in the median, {} s at most | each of the "
-            "{} that connect on a grid ten times finer is among the {}; minimum manipulability over that grid's: {} in the "
-            "median, {} at worst |",
+            "{} paths of the tool among two cubes, four arms, met to {} mm and {}° | all followed, {} of them without "
+            "interruption; {} keep CppFlow's rule, {} break it by large joint steps; these {} take {} s in the median, {} s at "
+            "most | each of the {} that connect on a grid ten times finer is among the {}; minimum manipulability over that "
+            "grid's: {} in the median, {} at worst |",
             tool_paths(),
         ),
         Sentence(
             page,
-            "median and worst | {}, {}; of {} random streams {} stall for a moment and {} move backward | placo {}, {}; J-PARSE {}, {};",
+            "median and worst | {}, {}; of {} random streams {} stall for a moment and {} move backward | placo {}, {}; "
+            "J-PARSE {}, {};",
             servo(),
         ),
         Sentence(

@@ -1,4 +1,4 @@
-"""Draws the thumbnails of the gallery: an arm with its meshes at one moment, the way of its tool, and an ellipsoid; or one plot.
+"""Draws the thumbnails of the gallery: an arm at one moment, the way of its tool, and an ellipsoid; or one plot.
 
 Run: python docs/pictures/stills.py [plan/cell ...]. Each page is run first, and gives what is drawn. Writes JPEG files into
 this folder. Needs the extra `film`.
