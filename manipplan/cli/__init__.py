@@ -96,7 +96,9 @@ REWORDED = {
 def unboxed(text: str) -> str:
     """The sentences in a box of tyro on one line, without the title of the box and without the help texts below options."""
     lines = [line.strip("╭╮╰╯│─").rstrip("─ ") for line in text.splitlines()[1:]]
-    shallow = "\n".join(line.strip() for line in lines if not line.startswith(9 * " "))
+    lines = ["" if set(line) <= set("- ") else line for line in lines]
+    least = min((len(line) - len(line.lstrip()) for line in lines if line), default=0)
+    shallow = "\n".join(line.strip() for line in lines if not line.startswith((least + 8) * " "))
     parts = [" ".join(part.split()).rstrip(".") for part in shallow.strip().split("\n\n")]
     return "; ".join(filter(None, map(_reworded, parts)))
 

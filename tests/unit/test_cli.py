@@ -17,7 +17,7 @@ import pytest
 from chains import chain_file
 
 import manipplan as mp
-from manipplan.cli import main
+from manipplan.cli import COMMANDS, main
 
 doctor = import_module("manipplan.cli.doctor")  # the package has its function under this name
 START = ["0", "1.5", "-2"]
