@@ -162,7 +162,7 @@ def _caption_levels(_app, _page, _template, context, _doctree):
 
 
 def _recording(app, failed):
-    """The motion of the film as a recording, which the page of the viewer shows: it is too large to be kept with the sources."""
+    """The motion of the film as a recording, which the page of the viewer shows: too large to be kept with the sources."""
     file = Path(app.outdir) / "_static" / "recording.html"
     if failed is None and app.builder.format == "html" and not file.exists():
         problem = manipplan.demo.panda_among_boxes()
