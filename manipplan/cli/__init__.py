@@ -85,7 +85,7 @@ REWORDED = {
     r"Error parsing (\S+): could not convert string to float: (.*)": r"\1: got \2; allowed: a number",
     r"invalid choice (\S+) for argument '(\S+)'\. Expected one of \((.*)\)": r"\2: got \1; allowed: \3",
     r"Missing value for argument '(\S+)'\. Expected 1 values": r"\1: a value is missing",
-    r"Error parsing (\S+): no type matching .* could be instantiated from \[(.*)\]": r"\1: got [\2], which is not what it takes",
+    r"Error parsing (\S+): no type matching .* could be instantiated from \[(.*)\]": r"\1: got [\2], not what it takes",
     r"Got errors: .*": "",
     r"Missing from .*: (.*)": r"missing: \1",
     r"Argument helptext: (.*)": r"\1",

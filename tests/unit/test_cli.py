@@ -442,7 +442,7 @@ def test_output_that_is_not_read_to_its_end_is_no_error():
         (["view", "--port"], "--port: a value is missing; for help"),
         (
             ["follow", "panda", "path", "--pointing", "1", "2"],
-            "--pointing: got ['1', '2'], which is not what it takes; --pointing X Y Z",
+            "--pointing: got ['1', '2'], not what it takes; --pointing X Y Z",
         ),
     ],
 )
