@@ -1,6 +1,6 @@
 """fewest_interruptions: where to lift off and to come back in another configuration if no path leads through all layers.
 
-Each stretch of a path that connects does so, too. So the longest part from a position on, then the longest from its end on, and
+Any stretch of a connected part is connected. So the longest part from a position on, then the longest from its end on, and
 so forth, are the fewest parts of an open path; those of a cycle are the fewest over all positions where it can begin. How far
 parts reach takes one sweep: it finds the first position from which each position is reached.
 """
