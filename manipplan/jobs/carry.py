@@ -28,9 +28,9 @@ from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import Array, ArrayLike, flag
 from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
+from manipplan.support.workers import one_thread
 from manipplan.timing.retime import retime
 from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.parts import connect

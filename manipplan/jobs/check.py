@@ -21,8 +21,8 @@ from manipplan.robots.configuration import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, flag, instance, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import interruptible
+from manipplan.support.workers import one_thread
 
 #: Distance from a revolute joint's limits above which positions are not in radians [rad], and from a prismatic joint's above
 #: which they are not in metres, as a multiple of its range.

@@ -35,10 +35,10 @@ from manipplan.seeds.seeding import AS_GIVEN, Seeding
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
 from manipplan.support.deadline import OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
 from manipplan.support.status import Failure, Status
 from manipplan.support.tolerances import COINCIDENT
+from manipplan.support.workers import one_thread
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed

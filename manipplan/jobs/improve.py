@@ -20,9 +20,9 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 
 #: Residual of the smooth motion that is small enough, as a share of the tolerance [rad per m or rad].
 ENOUGH = 0.01

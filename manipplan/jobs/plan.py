@@ -29,9 +29,9 @@ from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 from manipplan.timing.retime import check_timing_limits, retime
 
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.

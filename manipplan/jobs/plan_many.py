@@ -50,9 +50,9 @@ from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import writable_folder
 from manipplan.support.memo import once_per_owner
-from manipplan.support.processes.workers import WorkerLostError, Workers
 from manipplan.support.progress import Progress, as_callback
 from manipplan.support.status import Status
+from manipplan.support.workers import WorkerLostError, Workers
 from manipplan.timing.retime import check_timing_limits
 
 

@@ -22,9 +22,9 @@ from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import OutOfTimeError, TimeLimit, until, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
+from manipplan.support.workers import one_thread
 from manipplan.timing.retime import check_timing_limits
 
 

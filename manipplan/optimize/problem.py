@@ -35,9 +35,9 @@ from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.memo import once_per_owner
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import interruptible
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 
 log = logging.getLogger("manipplan")
 

@@ -31,8 +31,8 @@ from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.deadline import NEVER, Cancellation, Deadline
 from manipplan.support.errors import InvalidInputError, OutOfReachError
-from manipplan.support.processes.workers import usable_memory
 from manipplan.support.progress import Progress, as_callback
+from manipplan.support.workers import usable_memory
 from manipplan.symbolic.task import Task
 
 

@@ -18,11 +18,11 @@ from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
 from manipplan.kinematics import batch, kinematics
 from manipplan.optimize.clearance import ClearanceRows, row_functions
+from manipplan.support.commands import run
 from manipplan.support.compiling import compiler as module
 from manipplan.support.compiling import stored
 from manipplan.support.compiling.compiler import find_compiler, load_library
 from manipplan.support.files import is_private
-from manipplan.support.processes.commands import run
 from manipplan.symbolic import machine_code
 
 SOURCE = "int answer(void) { return 42; }"

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from manipplan.robots.formats.xml_files import LARGEST, numbers, read_bounded_xml, read_xml
+from manipplan.support import commands
 from manipplan.support.errors import FileFormatError, MissingExtraError
-from manipplan.support.processes import commands
 from manipplan.support.untrusted import printable
 
 log = logging.getLogger("manipplan")

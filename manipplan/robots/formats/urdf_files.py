@@ -15,9 +15,9 @@ from pathlib import Path
 
 from manipplan.robots.formats.packages import PackageFolders
 from manipplan.robots.formats.xml_files import read_xml
+from manipplan.support import commands
 from manipplan.support.checks import flag, one_of, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, MissingExtraError, UnknownNameError
-from manipplan.support.processes import commands
 from manipplan.support.untrusted import printable
 
 log = logging.getLogger("manipplan")

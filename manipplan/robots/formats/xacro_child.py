@@ -15,7 +15,7 @@ from typing import Any
 
 from manipplan.robots.formats.expressions import RefusedError, evaluate
 from manipplan.robots.formats.packages import PackageFolders
-from manipplan.support.processes.commands import request_in, set_limits, write_answer
+from manipplan.support.commands import request_in, set_limits, write_answer
 
 #: Maximum number of files that include one another in a row.
 DEEPEST = 50

@@ -25,10 +25,10 @@ from functools import cache
 from pathlib import Path
 from typing import TypeVar
 
+from manipplan.support.commands import run
 from manipplan.support.compiling.stored import cache_errors, cache_for, is_sound, place_to_build, publish
 from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError, CompilerWarning
-from manipplan.support.processes.commands import run
 from manipplan.support.untrusted import terminal_text
 
 log = logging.getLogger("manipplan")

@@ -1,4 +1,4 @@
-"""Workers: processes of which one may die, as an executor of `concurrent.futures`.
+"""Workers: processes of which one may die, as an executor of `concurrent.futures`; and the threads and memory that each may use.
 
 A `ProcessPoolExecutor` cannot be used any more once one of its processes has died, and does not tell whose work killed it.
 Here each process has its own pipes: only its work fails, with WorkerLostError, and another process takes its place.
@@ -7,6 +7,9 @@ A process does not read the program of its caller, as those of `multiprocessing`
 ``if __name__ == "__main__":``; only for arguments of a class that the program defines.
 
 usable_memory: the memory that this process may use, which a container or a shell limits below that of the machine.
+
+one_thread: linear algebra on one thread. The matrices of a plan are so small that more threads only wait for each other, on a
+busy machine several times as long as the work takes.
 """
 
 import os
@@ -18,14 +21,17 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path, PurePosixPath
 from queue import Empty, SimpleQueue
-from typing import IO, Any, TypeVar
+from typing import IO, TYPE_CHECKING, Any, TypeVar
 
 from manipplan.support.checks import whole_number
+
+if TYPE_CHECKING:
+    from threadpoolctl import ThreadpoolController
 
 Result = TypeVar("Result")
 
@@ -283,3 +289,21 @@ def _group_limits(proc: Path, groups: Path) -> Iterator[float]:
                 yield float((groups / folder / str(each).lstrip("/") / name).read_text())
             except (OSError, ValueError):  # no such file, or "max"
                 continue
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Let BLAS use one thread in the block, and as many as before after it; also usable as a decorator.
+
+    Where BLAS has one setting for the process, the first of several threads decides, as threadpoolctl says.
+    """
+    with _libraries(len(sys.modules)).limit(limits=1, user_api="blas"):
+        yield
+
+
+@lru_cache(maxsize=1)
+def _libraries(_modules: int) -> "ThreadpoolController":
+    """The libraries of the process, which are searched for again when more modules have been imported: it takes 2 ms."""
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController()

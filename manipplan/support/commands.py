@@ -51,7 +51,7 @@ def run_module(module: str, folder: str | Path, *, limit: float) -> subprocess.C
 
     The module and what it imports need nothing but the standard library, until `main` sets `sys.path`.
     """
-    package = str(Path(__file__).parents[2])
+    package = str(Path(__file__).parents[1])
     return run([sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, module, str(folder)], limit=limit)
 
 
