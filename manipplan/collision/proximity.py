@@ -13,8 +13,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel, struct
 
 #: Number of intervals of the grid along the curve. A band around the target is only searched at every SPACING-th place.
 INTERVALS, SPACING = 160, 4

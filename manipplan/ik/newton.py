@@ -21,7 +21,7 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
+from manipplan.support.kernels import struct
 from manipplan.symbolic.free_motion import FreeMotion
 
 

@@ -18,9 +18,9 @@ import numpy as np
 
 from manipplan.kinematics.instructions import BatchProgram, is_expressible, kernel_source
 from manipplan.support.checks import Array, ArrayLike, configurations
-from manipplan.support.compiling.compiler import NATIVE, load_library, load_stored
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.compiler import NATIVE, load_library, load_stored
 from manipplan.support.errors import CompilerError, InvalidInputError
+from manipplan.support.kernels import load_kernel
 from manipplan.symbolic.machine_code import PendingCode, do_without, wants_machine_code
 
 

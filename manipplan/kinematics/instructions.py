@@ -10,8 +10,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernel_library import FOLDER
+from manipplan.support.kernel_library import FOLDER
+from manipplan.support.kernels import struct
 
 #: Code for the sine and cosine of one angle together; all other operations have CasADi's codes.
 SINE_COSINE = -1

@@ -20,9 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.support.checks import LARGEST, Array, ArrayLike, number_array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.kernels import load_kernel, struct
 
 #: The compiled steps.
 

@@ -1,4 +1,4 @@
-"""Workers: processes of which one may die, as an executor of `concurrent.futures`; and the threads and memory that each may use.
+"""Workers: processes of which one may die, as an executor of `concurrent.futures`; and the threads and memory each uses.
 
 A `ProcessPoolExecutor` cannot be used any more once one of its processes has died, and does not tell whose work killed it.
 Here each process has its own pipes: only its work fails, with WorkerLostError, and another process takes its place.

@@ -17,7 +17,7 @@ import casadi as ca
 
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import one_of
-from manipplan.support.compiling.compiler import load_library
+from manipplan.support.compiler import load_library
 from manipplan.support.display import one_line
 from manipplan.support.errors import CompilerError, InvalidInputError, ManipplanError
 from manipplan.support.memo import once_per_owner

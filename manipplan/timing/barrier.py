@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel, struct
 from manipplan.timing.jerk import UNLIMITED, JerkProblem, Rows, SquaredSpeed
 
 #: Maximum number of linear programs in the search for a motion within the limits when speeds are given at the ends.

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.support.kernels import kernel_by_llvm
 from manipplan.timing import barrier, piece
 from manipplan.timing.barrier import Centring, fastest_motion, motion_inside
 from manipplan.timing.dynamics import ArcLength, path_dynamics

@@ -13,7 +13,7 @@ import manipplan as mp
 from manipplan.ik.bridge import SKEW, arrangement, swivels_of
 from manipplan.ik.form import closed_form
 from manipplan.ik.solver import Solver
-from manipplan.support.compiling.kernel_library import find_library
+from manipplan.support.kernel_library import find_library
 
 CLOSED = {
     "panda": "spherical",

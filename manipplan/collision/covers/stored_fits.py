@@ -21,11 +21,11 @@ from manipplan.collision.world import Primitive, mesh_key, mesh_triangles, outsi
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
-from manipplan.support.compiling.compiler import log_when_slow
-from manipplan.support.compiling.kernel_library import FOLDER
+from manipplan.support.compiler import log_when_slow
 from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
+from manipplan.support.kernel_library import FOLDER
 
 log = logging.getLogger("manipplan")
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from manipplan.robots.meshes.files import first_of_rows
 from manipplan.support.checks import Array
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel
 
 #: Corners nearer to each other than this, along each axis, are one [m].
 MERGED = 1e-9

@@ -12,7 +12,7 @@ import subprocess
 from pathlib import Path
 
 #: The kernels and their headers.
-FOLDER = Path(__file__).parents[2] / "csrc"
+FOLDER = Path(__file__).parents[1] / "csrc"
 #: Each is a source, and a module in LLVM's language in `kernels.ll.xz`.
 KERNELS = (
     *("barrier", "batch", "body_motion", "connect", "curves", "distances", "inverse", "near_pairs", "panels"),
