@@ -59,9 +59,9 @@ from manipplan.robots.catalog import CATALOG, load_robot, refusal
 from manipplan.robots.collections import CHECKOUT, names_of_collections, own_robots, package_of
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
+from manipplan.support.data_files import json_ready
 from manipplan.support.errors import InvalidInputError, MissingSourcesError, PlanningError
 from manipplan.support.files import place_for
-from manipplan.support.json_data import json_ready
 from manipplan.support.progress import part
 from manipplan.support.untrusted import terminal_text
 from manipplan.timing.constant_speed import STEADY

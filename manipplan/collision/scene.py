@@ -85,7 +85,7 @@ class Scene(Pictured):
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
-        from manipplan.support.yaml_files import read_yaml
+        from manipplan.support.data_files import read_yaml
 
         path = existing_file("scene", file)
         data = read_yaml("scene", path)

@@ -24,10 +24,9 @@ from manipplan.ik.nearest import millimetres_hint
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
-from manipplan.support.tolerances import COINCIDENT
 
 #: Number of places of a straight line at which m is evaluated.
 LINE_SAMPLES = 17

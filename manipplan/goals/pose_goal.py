@@ -12,10 +12,9 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import known_tool
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, finite_array, instance, pose_matrix
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, finite_array, instance, pose_matrix
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 

@@ -19,6 +19,7 @@ from manipplan.robots.attached import check_in_hand
 from manipplan.robots.configuration import TakenToLimit, nearest_turns, taken_to_limits, to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import (
+    COINCIDENT,
     Array,
     configurations,
     existing_file,
@@ -27,9 +28,8 @@ from manipplan.support.checks import (
     rotation_matrix,
     unit_quaternion,
 )
+from manipplan.support.data_files import read_yaml
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import COINCIDENT
-from manipplan.support.yaml_files import read_yaml
 
 #: The forms of a goal, for messages.
 FORMS = (

@@ -19,11 +19,20 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.own_ik import OwnInverseKinematics
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number_array, one_of, random_seed, whole_number
+from manipplan.support.checks import (
+    COINCIDENT,
+    Array,
+    ArrayLike,
+    finite_array,
+    instance,
+    number_array,
+    one_of,
+    random_seed,
+    whole_number,
+)
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_source
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion
 from manipplan.symbolic.task import Task
 

@@ -10,9 +10,8 @@ from manipplan.ik.bridge import in_turn, within_reach
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm, Starts
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import NEVER, Deadline
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 #: Number of random starts per round, and their maximum number in total.

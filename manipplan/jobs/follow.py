@@ -32,12 +32,11 @@ from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
-from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, finite_array, flag, instance, number, whole_number
 from manipplan.support.deadline import OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
 from manipplan.support.status import Failure, Status
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.support.workers import one_thread
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task

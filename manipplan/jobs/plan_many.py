@@ -45,11 +45,10 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import ArrayLike, flag, instance, number, whole_number
-from manipplan.support.content import code_key, content_key
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import writable_folder
-from manipplan.support.memo import once_per_owner
+from manipplan.support.memo import code_key, content_key, once_per_owner
 from manipplan.support.progress import Progress, as_callback
 from manipplan.support.status import Status
 from manipplan.support.workers import WorkerLostError, Workers

@@ -14,9 +14,9 @@ import numpy as np
 from manipplan.paths.tables import Table
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array, existing_file, one_of, text, texts, whole_number
+from manipplan.support.data_files import read_json
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_bytes, write_text
-from manipplan.support.json_data import read_json
 
 FORMAT = "manipplan-trajectory"
 VERSION = 1
@@ -192,7 +192,7 @@ def from_ros(file: str | Path) -> Trajectory:
     Velocities that are not there come from the cubic spline through the positions. Raises FileFormatError when names, positions
     or times are missing, or a key is none of the message's.
     """
-    from manipplan.support.yaml_files import read_yaml
+    from manipplan.support.data_files import read_yaml
 
     path = existing_file("file", file)
     wanted = "a JointTrajectory in YAML: joint_names and points with positions and time_from_start"

@@ -16,11 +16,20 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
 from manipplan.paths.tolerance import distinct
-from manipplan.support.checks import Array, ArrayLike, finite_array, flag, number, number_array, one_of, whole_number
+from manipplan.support.checks import (
+    COINCIDENT,
+    Array,
+    ArrayLike,
+    finite_array,
+    flag,
+    number,
+    number_array,
+    one_of,
+    whole_number,
+)
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.kernels import load_kernel, struct
-from manipplan.support.tolerances import COINCIDENT
 
 #: Curves of a higher degree are evaluated by NumPy; as in curves.c.
 MOST_DEGREE = 30

@@ -8,9 +8,9 @@ import numpy as np
 
 from manipplan.paths.joint import MOST_ORDER, JointPath
 from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, number, number_array, texts, whole_number
-from manipplan.support.content import content_key
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.memo import content_key
 
 #: Shortest time between samples [s], and largest time [s], position [rad or m] and velocity [rad/s or m/s]: beyond these the
 #: coefficients of the cubics overflow.

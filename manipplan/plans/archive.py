@@ -40,10 +40,10 @@ from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
-from manipplan.support.content import code_key
+from manipplan.support.data_files import from_json, json_ready, pack_array, read_array, read_json, unpack_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, finish, found_again, write_text
-from manipplan.support.json_data import from_json, json_ready, pack_array, read_array, read_json, unpack_array
+from manipplan.support.memo import code_key
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 

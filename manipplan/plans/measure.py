@@ -27,9 +27,8 @@ from manipplan.plans.comparison import VANISHING
 from manipplan.plans.report import UNCOUNTED, PathPart, PlanReport, Report, first_path, tool_figures
 from manipplan.robots.robot import Robot
 from manipplan.seeds.task import CHECK_STEP
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.status import ALONG, Status
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of

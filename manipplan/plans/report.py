@@ -21,13 +21,12 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.plans.comparison import VANISHING, Comparison
 from manipplan.robots.configuration import TakenToLimit
-from manipplan.support.checks import existing_file
+from manipplan.support.checks import COINCIDENT, existing_file
+from manipplan.support.data_files import from_json, json_ready, read_json
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError
 from manipplan.support.files import write_text
-from manipplan.support.json_data import from_json, json_ready, read_json
 from manipplan.support.status import RECORDED, Status
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 

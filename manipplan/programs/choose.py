@@ -21,11 +21,10 @@ from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotio
 from manipplan.programs.legs import Leg, State, rounded
 from manipplan.robots.configuration import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import OutOfTimeError, work_time
 from manipplan.support.progress import Progress
 from manipplan.support.status import Failure
-from manipplan.support.tolerances import COINCIDENT
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01

@@ -27,9 +27,8 @@ from manipplan.robots.arms import carriers, known_tool, one_tool
 from manipplan.robots.attached import Solid, check_in_hand
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.timing.constant_speed import check_corners, check_tool_speed
 from manipplan.tool_path.transit import moved_by

@@ -19,9 +19,9 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, existing_file, finite_array, instance, number, whole_number
+from manipplan.support.data_files import read_yaml
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.yaml_files import read_yaml
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY
 

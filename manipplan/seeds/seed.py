@@ -37,10 +37,9 @@ from manipplan.seeds.task import (
     keeps_constraints,
     looks_free,
 )
-from manipplan.support.checks import Array, ArrayLike, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.tolerances import COINCIDENT
 
 log = logging.getLogger("manipplan")
 

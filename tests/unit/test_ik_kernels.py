@@ -11,8 +11,8 @@ from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import are_poses, distinct, residuals
 from manipplan.support import kernels
+from manipplan.support.checks import COINCIDENT
 from manipplan.support.kernels import kernel_by_llvm, source_text
-from manipplan.support.tolerances import COINCIDENT
 
 
 @pytest.fixture(scope="module")

@@ -22,10 +22,10 @@ from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, pose_matrix
 from manipplan.support.compiler import log_when_slow
-from manipplan.support.content import content_key
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.files import private_folder, write_bytes, write_text
 from manipplan.support.kernel_library import FOLDER
+from manipplan.support.memo import content_key
 
 log = logging.getLogger("manipplan")
 

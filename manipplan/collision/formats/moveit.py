@@ -19,8 +19,8 @@ import pinocchio as pin
 from manipplan.collision.shapes import Box, Cylinder, Mesh, Obstacle, Plane, Sphere, check_obstacles
 from manipplan.robots.hulls import FARTHEST
 from manipplan.support.checks import Array, existing_file, finite_array, unit_quaternion
+from manipplan.support.data_files import read_yaml
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.yaml_files import read_yaml
 
 log = logging.getLogger("manipplan")
 

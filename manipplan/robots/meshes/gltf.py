@@ -8,8 +8,8 @@ import numpy as np
 
 from manipplan.robots.meshes.polygons import check_count, move_triangles
 from manipplan.support.checks import Array
+from manipplan.support.data_files import parsed
 from manipplan.support.errors import MissingExtraError
-from manipplan.support.json_data import parsed
 
 #: Extensions that say nothing about the shape.
 HARMLESS = ("KHR_materials", "KHR_texture", "KHR_lights", "EXT_texture", "EXT_lights")
