@@ -15,7 +15,7 @@ from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure
 from manipplan.plans.result import PartialPlan
 from manipplan.programs.program import Mark
 from manipplan.programs.steps import ProgramStep
-from manipplan.robots.configuration import TakenToLimit
+from manipplan.robots.limits import TakenToLimit
 from manipplan.search.interruptions import Interruptions
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement

@@ -22,7 +22,7 @@ from manipplan.goals.two_arms import reaching_tools
 from manipplan.ik.form import closed_form
 from manipplan.ik.nearest import millimetres_hint
 from manipplan.robots.arms import has_few_joints
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.display import one_line

@@ -16,7 +16,7 @@ from manipplan.goals.pose_goal import OneGoal, PoseGoal
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.arms import known_tool
 from manipplan.robots.attached import check_in_hand
-from manipplan.robots.configuration import TakenToLimit, nearest_turns, taken_to_limits, to_limits
+from manipplan.robots.limits import TakenToLimit, nearest_turns, taken_to_limits, to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import (
     COINCIDENT,

@@ -17,7 +17,7 @@ from manipplan.ik.solutions import distinct
 from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import tool_reach
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task

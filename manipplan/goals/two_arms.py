@@ -21,7 +21,7 @@ from manipplan.goals.pose_goal import PoseGoal
 from manipplan.goals.solutions import PoseResidual, beyond_links, nearest, reaching
 from manipplan.ik.newton import descend
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

@@ -20,7 +20,7 @@ from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.robots.arms import known_tool, own_joints
-from manipplan.robots.configuration import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import check_positions, choose_positions

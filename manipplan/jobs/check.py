@@ -17,7 +17,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.measure import measure
 from manipplan.plans.report import PathPart, Report
 from manipplan.recordings.read import read_motion
-from manipplan.robots.configuration import taken_to_limits
+from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, flag, instance, number
 from manipplan.support.errors import InvalidInputError

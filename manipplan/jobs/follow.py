@@ -25,7 +25,7 @@ from manipplan.plans.measure import tool_distances
 from manipplan.plans.report import PathPart, PlanReport
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
-from manipplan.robots.configuration import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import SPARE_CLEARANCE, choose_positions
 from manipplan.search.max_min import max_min_search

@@ -23,7 +23,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.report import PlanReport, with_errors
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
-from manipplan.robots.configuration import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number

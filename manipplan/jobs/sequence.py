@@ -16,7 +16,7 @@ from manipplan.programs.leg_motions import Node, RawMotion, Stop, ToolPathPlanne
 from manipplan.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.programs.program import Program
 from manipplan.programs.steps import Attach, Detach, ProgramStep
-from manipplan.robots.configuration import taken_to_limits
+from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number

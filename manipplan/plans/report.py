@@ -20,7 +20,7 @@ from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.plans.comparison import VANISHING, Comparison
-from manipplan.robots.configuration import TakenToLimit
+from manipplan.robots.limits import TakenToLimit
 from manipplan.support.checks import COINCIDENT, existing_file
 from manipplan.support.data_files import from_json, json_ready, read_json
 from manipplan.support.display import one_line

@@ -18,7 +18,7 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.comparison import Comparison
 from manipplan.plans.measure import measure_plan
 from manipplan.plans.report import PathPart, PlanReport
-from manipplan.robots.configuration import TakenToLimit
+from manipplan.robots.limits import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement

@@ -19,7 +19,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan
 from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotion, ToolPathPlanners, motion_of_leg
 from manipplan.programs.legs import Leg, State, rounded
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import OutOfTimeError, work_time

@@ -11,7 +11,7 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.tables import Table
 from manipplan.paths.trajectory import Trajectory
 from manipplan.paths.turns import JUMP, TOO_FAST, unwrapped
-from manipplan.robots.configuration import NO_DEGREES, TakenToLimit, limits_missed
+from manipplan.robots.limits import NO_DEGREES, TakenToLimit, limits_missed
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag
 from manipplan.support.errors import InvalidInputError

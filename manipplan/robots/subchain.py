@@ -15,10 +15,9 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots import model_tree
-from manipplan.robots.configuration import LIMIT_TOLERANCE
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
-from manipplan.robots.limits import JointLimits
+from manipplan.robots.limits import LIMIT_TOLERANCE, JointLimits
 from manipplan.robots.model_tree import WORLD, Mimic, follow, joint_about, joint_names, joint_tree, moves_with
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, texts

@@ -16,7 +16,7 @@ from manipplan.goals.choice import PATHS, choose
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.goals.read import goals_from_yaml, pose_of_numbers, read_goals
 from manipplan.goals.solutions import nearest, poses_inside, reaching
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.support.deadline import Deadline
 
 GOAL = np.array([1.2, -0.3, 0.0, -2.2, 0.0, 2.0, 0.8])
