@@ -19,7 +19,7 @@ from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, kern
 from manipplan.collision.surfaces.shells import find_components, winding_number
 from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
-from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError

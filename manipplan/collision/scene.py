@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles, is_own
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
-from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
+from manipplan.robots.urdf_files import UrdfFiles
 from manipplan.support.checks import (
     Array,
     ArrayLike,

@@ -13,7 +13,7 @@ from manipplan.collision.own_shapes import own_parts
 from manipplan.collision.surfaces import clouds, meshes, shells
 from manipplan.collision.world import mesh_triangles
 from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.support.checks import (
     Array,
     ArrayLike,

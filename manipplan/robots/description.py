@@ -15,11 +15,10 @@ import coal
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.formats.urdf_check import check_urdf, find_joined_links
-from manipplan.robots.formats.urdf_files import UrdfFiles
-from manipplan.robots.formats.urdf_model import build_bodies, build_model, check_visuals
 from manipplan.robots.hulls import FARTHEST, box_around
 from manipplan.robots.model_tree import Mimic, is_prismatic, parent_bodies, plain_angles, read_mimics
+from manipplan.robots.urdf import build_bodies, build_model, check_urdf, check_visuals, find_joined_links
+from manipplan.robots.urdf_files import UrdfFiles
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, UnknownNameError
 

@@ -24,11 +24,11 @@ from manipplan.robots.arms import (
 )
 from manipplan.robots.attached import AddedFrame, CarriedPart, Solid
 from manipplan.robots.description import RobotSource
-from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.limits import DEFAULT_RAMP_TIME, LARGEST_TOLERANCE, LIMIT_TOLERANCE, JointLimits, check_configuration
 from manipplan.robots.model_tree import Mimic
 from manipplan.robots.own_ik import OwnInverseKinematics, PoseSolver
 from manipplan.robots.srdf import NamedStates, read_srdf, state_of_others, write_srdf
+from manipplan.robots.urdf_files import UrdfFiles
 from manipplan.support.checks import Array, ArrayLike, existing_file, instance, number, one_of, pose_matrix, text, whole_number
 from manipplan.support.display import Pictured
 from manipplan.support.errors import InvalidInputError

@@ -13,7 +13,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.surfaces import meshes
 from manipplan.collision.world import mesh_key, mesh_triangles
 from manipplan.robots.hulls import convex_hull
-from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.support.memo import content_key
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'

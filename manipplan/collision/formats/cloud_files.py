@@ -10,7 +10,7 @@ from typing import IO
 import numpy as np
 
 from manipplan.collision.surfaces.clouds import MOST_POINTS
-from manipplan.robots.meshes.ply import read_ply
+from manipplan.robots.mesh_files import read_ply
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 

@@ -7,8 +7,8 @@ from typing import Any
 import pinocchio as pin
 
 from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, Plane, Sphere, check_obstacles
-from manipplan.robots.formats.mjcf_files import compile_mjcf
 from manipplan.robots.mjcf import SHAPES, colliding_geoms, fixed_pose, local_pose, stands_still, surface_of
+from manipplan.robots.mjcf_files import compile_mjcf
 from manipplan.support.errors import UnknownNameError
 
 #: Shapes of MuJoCo that become obstacles.

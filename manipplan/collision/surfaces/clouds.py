@@ -7,7 +7,7 @@ import numpy as np
 
 from manipplan.collision.surfaces.shells import MERGED
 from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.meshes.files import first_of_rows, triangle_tree
+from manipplan.robots.mesh_files import first_of_rows, triangle_tree
 from manipplan.support.checks import Array, ArrayLike, number, number_array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_owner, state_without_memo

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from manipplan.collision.surfaces.shells import Shell, find_components, merge_corners, shells
 from manipplan.robots.hulls import FARTHEST, Hull, find_hull
-from manipplan.robots.meshes.files import read_mesh, triangle_tree
+from manipplan.robots.mesh_files import read_mesh, triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 

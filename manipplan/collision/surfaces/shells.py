@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.robots.meshes.files import first_of_rows
+from manipplan.robots.mesh_files import first_of_rows
 from manipplan.support.checks import Array
 from manipplan.support.kernels import load_kernel
 

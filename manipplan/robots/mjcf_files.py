@@ -16,7 +16,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
-from manipplan.robots.formats.xml_files import LARGEST, numbers, read_bounded_xml, read_xml
+from manipplan.robots.xml_files import LARGEST, numbers, read_bounded_xml, read_xml
 from manipplan.support import commands
 from manipplan.support.errors import FileFormatError, MissingExtraError
 from manipplan.support.untrusted import printable

@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from manipplan.robots.formats.packages import PackageFolders
-from manipplan.robots.formats.xml_files import read_xml
+from manipplan.robots.packages import PackageFolders
+from manipplan.robots.xml_files import read_xml
 from manipplan.support import commands
 from manipplan.support.checks import flag, one_of, path_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, MissingExtraError, UnknownNameError
@@ -52,7 +52,7 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
     }
     with tempfile.TemporaryDirectory() as folder:
         try:
-            answer, run = commands.ask_module("manipplan.robots.formats.xacro_child", folder, request, limit=TIME_LIMIT)
+            answer, run = commands.ask_module("manipplan.robots.xacro_child", folder, request, limit=TIME_LIMIT)
         except subprocess.TimeoutExpired as error:
             raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
         except OSError as error:
