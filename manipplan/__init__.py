@@ -55,7 +55,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import PlannerProblem, Seeding
 from manipplan.support.status import Status
-from manipplan.symbolic.pinocchio_casadi import pinocchio_casadi
+from manipplan.symbolic.backends import pinocchio_casadi
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.stops import Segment

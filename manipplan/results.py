@@ -19,7 +19,7 @@ from manipplan.robots.limits import TakenToLimit
 from manipplan.search.interruptions import Interruptions
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
-from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi
+from manipplan.symbolic.backends import PinocchioCasadi
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 from manipplan.tracking.controller import Rollout, StepReport

@@ -23,8 +23,8 @@ from manipplan.paths.rounding import with_bits
 from manipplan.robots.robot import Robot
 from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_source
-from manipplan.symbolic.derivatives import Factor, determinant, log_gradient, log_hessian
 from manipplan.symbolic.machine_code import CodedFunctions, as_asked
+from manipplan.symbolic.motion import Factor, determinant, log_gradient, log_hessian
 from manipplan.symbolic.task import Task
 
 log = logging.getLogger("manipplan")

@@ -31,8 +31,7 @@ from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.machine_code import as_asked, check_compiled, compiled, do_without, wants_machine_code
-from manipplan.symbolic.motion import LedMotion, Motion
-from manipplan.symbolic.relative import Seen, task_rows
+from manipplan.symbolic.motion import LedMotion, Motion, Seen, task_rows
 from manipplan.symbolic.spanned import usual_task
 from manipplan.symbolic.task import Task
 

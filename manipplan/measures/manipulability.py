@@ -9,7 +9,7 @@ import numpy as np
 from manipplan.measures.measure import JacobianMeasure, Measure, Posture, row_unit
 from manipplan.support.checks import ArrayLike, number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
+from manipplan.symbolic.motion import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.

@@ -10,7 +10,7 @@ from manipplan.measures.manipulability import REGULARISATION
 from manipplan.measures.measure import JacobianMeasure, row_unit
 from manipplan.support.checks import ArrayLike, finite_array, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.derivatives import Factor
+from manipplan.symbolic.motion import Factor
 from manipplan.symbolic.task import Task
 
 #: Tolerance on the length of a direction that is already normalised.

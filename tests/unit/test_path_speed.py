@@ -123,7 +123,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
 
 def test_the_steady_view_has_true_derivatives(panda, rng):
     """Also with a ρ that matters: by CasADi's own differentiation."""
-    from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
+    from manipplan.symbolic.motion import Factor, log_gradient, log_hessian
 
     chain = panda.kinematics().symbolic.chain
     jacobian, motion = steady(chain, mp.Task.pose(length=0.5))
