@@ -7,8 +7,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics import batch
-from manipplan.kinematics.batch import BATCH, BatchKernel
-from manipplan.kinematics.instructions import operations
+from manipplan.kinematics.batch import BATCH, BatchKernel, operations
 from manipplan.support.compiler import find_compiler
 from manipplan.support.kernels import kernel_by_llvm
 
