@@ -10,9 +10,8 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import is_singular
-from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
-from manipplan.cost.objective import PathObjective, check_measure, idle_hint
+from manipplan.cost.objective import PathObjective, check_measure, floor_of, idle_hint
 from manipplan.goals.read import read_configuration
 from manipplan.ik.form import closed_form
 from manipplan.jobs.plan import plan

@@ -25,8 +25,7 @@ from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, find_basis
 from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
-from manipplan.paths.trajectory import Trajectory
-from manipplan.paths.turns import unwrapped
+from manipplan.paths.trajectory import Trajectory, unwrapped
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding, random_path

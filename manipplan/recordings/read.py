@@ -6,11 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.export import READERS, from_csv, read_trajectory
+from manipplan.paths.export import READERS, Table, from_csv, read_trajectory
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tables import Table
-from manipplan.paths.trajectory import Trajectory
-from manipplan.paths.turns import JUMP, TOO_FAST, unwrapped
+from manipplan.paths.trajectory import JUMP, TOO_FAST, Trajectory, unwrapped
 from manipplan.robots.limits import NO_DEGREES, TakenToLimit, limits_missed
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag

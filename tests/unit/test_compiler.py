@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import energy_density
 from manipplan.kinematics import batch, kinematics
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.support import compiler as module

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.kinematics.kinematics import steady
 from manipplan.optimize.clearance import row_functions
 from manipplan.symbolic import machine_code
