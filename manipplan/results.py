@@ -1,7 +1,7 @@
 """Classes of what the calls of the package return; a script reads them and seldom makes one."""
 
 from manipplan.collision.path_clearance import PathClearance
-from manipplan.constraints.proof import ConstraintFigure
+from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate

@@ -20,7 +20,7 @@ from manipplan.goals.read import Target
 from manipplan.goals.solutions import NearestToGoal, Reaching, beyond_limits, nearest, reaching, refined
 from manipplan.goals.two_arms import reaching_tools
 from manipplan.ik.form import closed_form
-from manipplan.ik.nearest import millimetres_hint
+from manipplan.ik.newton import millimetres_hint
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot

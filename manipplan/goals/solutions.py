@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from manipplan.goals.pose_goal import PoseGoal
 from manipplan.ik.form import Enumeration
-from manipplan.ik.nearest import Nearest, descend_to_best, stopped_at
-from manipplan.ik.newton import descend, random_near
+from manipplan.ik.newton import Nearest, descend, descend_to_best, random_near, stopped_at
 from manipplan.ik.solutions import distinct
 from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics

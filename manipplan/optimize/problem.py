@@ -13,8 +13,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import figures, prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective

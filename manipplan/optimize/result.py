@@ -6,8 +6,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import figures, prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Yoshikawa

@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from manipplan.constraints.proof import ConstraintFigure
+from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.integral import PathIntegral
 from manipplan.measures.manipulability import Constant
 from manipplan.paths.deviation import Deviation

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.constraints.constraint import ROW_TOLERANCE
-from manipplan.constraints.proof import ConstraintFigure, figures, prove
+from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.result import make_result

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.scene import Scene
 from manipplan.ik.form import CHUNK
-from manipplan.ik.nearest import Nearest, millimetres_hint, nearest_to
+from manipplan.ik.newton import Nearest, millimetres_hint, nearest_to
 from manipplan.ik.solutions import apart
 from manipplan.ik.solver import Found, Solver
 from manipplan.kinematics.batch import all_cores

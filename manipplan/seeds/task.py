@@ -12,8 +12,7 @@ import numpy as np
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint import ROW_TOLERANCE
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.kinematics.factors import SingularitySigns
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array

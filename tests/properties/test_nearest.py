@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.ik.nearest import nearest_to
+from manipplan.ik.newton import nearest_to
 from manipplan.symbolic.free_motion import NOTHING
 
 STARTS, STEPS = 150, 80
