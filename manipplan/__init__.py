@@ -24,7 +24,7 @@ from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, P
 from manipplan.constraints.constraint import Constraint, HeldJoints, PositionBox, SymbolicPose, TiltLimit
 from manipplan.cost.integral import path_cost
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.ik.solutions import inverse_kinematics
 from manipplan.jobs import demo
 from manipplan.jobs.carry import carry

@@ -10,8 +10,7 @@ from manipplan.kinematics.batch import Evaluator
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.deviation import Deviation
-from manipplan.plans.comparison import Comparison, MotionFigures
-from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure
+from manipplan.plans.report import Comparison, MotionFigures, PathPart, PlanReport, Report, ToolFigure
 from manipplan.plans.result import PartialPlan
 from manipplan.programs.program import Mark
 from manipplan.programs.steps import ProgramStep

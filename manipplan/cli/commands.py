@@ -40,8 +40,7 @@ from manipplan.cli.arm import (
 )
 from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import goals_from_yaml, pose_of_numbers
+from manipplan.goals.goal import Goal, goals_from_yaml, pose_of_numbers
 from manipplan.jobs.check import check as check_job
 from manipplan.jobs.demo import panda_among_boxes, planar_path
 from manipplan.jobs.follow import follow as follow_job

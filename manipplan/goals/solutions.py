@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.ik.form import Enumeration
 from manipplan.ik.newton import Nearest, descend, descend_to_best, random_near, stopped_at
 from manipplan.ik.solutions import distinct

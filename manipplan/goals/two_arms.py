@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.integral import PathIntegral
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.goals.solutions import PoseResidual, beyond_links, nearest, reaching
 from manipplan.ik.newton import descend
 from manipplan.robots.arms import arm_of, own_joints, shared_joints

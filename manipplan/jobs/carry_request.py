@@ -13,8 +13,7 @@ import pinocchio as pin
 from manipplan.collision.scene import Scene
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import PoseGoal
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import PoseGoal, read_configuration
 from manipplan.goals.solutions import beyond_links
 from manipplan.paths.cartesian import CartesianPath, Offset
 from manipplan.paths.deviation import angles_between

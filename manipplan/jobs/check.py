@@ -10,13 +10,13 @@ import numpy as np
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.measure import measure
 from manipplan.plans.report import PathPart, Report
-from manipplan.recordings.read import read_motion
+from manipplan.recordings.recording import read_motion
 from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, flag, instance, number

@@ -12,16 +12,15 @@ from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, floor_of, idle_hint
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.ik.form import closed_form
 from manipplan.jobs.plan import plan
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
-from manipplan.plans.comparison import VANISHING
 from manipplan.plans.measure import tool_distances
-from manipplan.plans.report import PathPart, PlanReport
+from manipplan.plans.report import VANISHING, PathPart, PlanReport
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.limits import TakenToLimit, taken_to_limits

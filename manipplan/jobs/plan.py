@@ -12,10 +12,8 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet, check_start
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.candidates import GoalCandidate, find_candidates, rate_candidates
-from manipplan.goals.choice import choose
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import read_configuration, read_goals
+from manipplan.goals.candidates import GoalCandidate, choose, find_candidates, rate_candidates
+from manipplan.goals.goal import Goal, read_configuration, read_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path, shift_goals
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape

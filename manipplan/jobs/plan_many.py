@@ -32,8 +32,7 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import metric_matrix
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import read_configuration, read_goals
+from manipplan.goals.goal import Goal, read_configuration, read_goals
 from manipplan.jobs.plan import plan
 from manipplan.measures.measure import Measure
 from manipplan.optimize.optimize import check_options

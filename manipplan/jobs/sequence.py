@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape

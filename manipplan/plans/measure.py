@@ -22,8 +22,7 @@ from manipplan.paths.deviation import Deviation, beyond_polygon, deviations, dis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import VANISHING
-from manipplan.plans.report import UNCOUNTED, PathPart, PlanReport, Report, first_path, tool_figures
+from manipplan.plans.report import UNCOUNTED, VANISHING, PathPart, PlanReport, Report, first_path, tool_figures
 from manipplan.robots.robot import Robot
 from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import COINCIDENT, Array

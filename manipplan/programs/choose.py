@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.goals.candidates import straight_lines
-from manipplan.goals.read import Target
+from manipplan.goals.goal import Target
 from manipplan.goals.solutions import nearest
 from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan

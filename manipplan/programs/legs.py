@@ -18,8 +18,7 @@ from manipplan.collision.model import apart_text
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.goals.pose_goal import PoseGoal
-from manipplan.goals.read import Target, read_goals
+from manipplan.goals.goal import PoseGoal, Target, read_goals
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import with_defaults
 from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait

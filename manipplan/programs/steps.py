@@ -12,8 +12,7 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_of_entry, constraint_tuple
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import goal_of_entry
+from manipplan.goals.goal import Goal, goal_of_entry
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.attached import Solid

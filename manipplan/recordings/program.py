@@ -21,7 +21,7 @@ import numpy as np
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import energy_density, hessian_of
 from manipplan.optimize.clearance import ClearanceRows, row_functions
-from manipplan.recordings.smooth import Ends, SplineBasis
+from manipplan.recordings.recording import Ends, SplineBasis
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array

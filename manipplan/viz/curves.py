@@ -15,7 +15,7 @@ from manipplan.paths.deviation import deviations
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import pose_distances
+from manipplan.plans.report import pose_distances
 from manipplan.robots.limits import JointLimits
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult
