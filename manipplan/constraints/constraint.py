@@ -54,8 +54,8 @@ class Constraint(ABC):
     width, since searches go through its inside: write an equation as two rows some 1e-3 apart.
 
     Rows of a class of your own hold at samples between which no joint moves by more than 1e-3 rad or m. Those of TiltLimit and
-    PositionBox are proven on the whole motion (`prove` in proof.py); where they are about different tools, those of one tool,
-    and the others are sampled.
+    PositionBox are proven on the whole motion (`prove` in constraint_set.py); where they are about different tools, those of
+    one tool, and the others are sampled.
     """
 
     @property

@@ -111,7 +111,7 @@ class MovingArm:
 
 #: Number of steps, first damping of a step, its factors after a good and a bad step, and the largest change of a joint in one
 #: step [rad or m].
-STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
+DESCENT_STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
 #: Size of the error at which no more steps are made [m].
 DONE = 1e-11
 
@@ -128,7 +128,7 @@ def descend(
     rows = np.arange(len(q))
     error, jacobian = error_of(rows, q)
     damping = np.full(len(q), DAMPING)
-    for _ in range(STEPS):
+    for _ in range(DESCENT_STEPS):
         slope = jacobian[rows] * ~held
         step = _compute_damped_step(slope, error[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
@@ -416,7 +416,7 @@ RESTARTS = 4
 #: Distance from a limit up to which a joint counts as being at it [rad or m].
 AT_LIMIT = 1e-6
 #: Position error above which it is tested whether the pose was given in millimetres [m].
-FAR = 1.0
+OTHER_UNIT = 1.0
 
 
 @one_line
@@ -446,12 +446,12 @@ class Nearest:
 
 def millimetres_hint(pose: Array, away: float, away_from: Callable[[Array], float]) -> str:
     """What explains that a pose (4, 4) is out of reach by `away` [m], if it is within reach in millimetres; or ""."""
-    if away < FAR:
+    if away < OTHER_UNIT:
         return ""
     scaled = np.array(pose)
     scaled[:3, 3] /= 1000
     hint = "; its position is within reach if it is in millimetres: divide it by 1000"
-    return hint if away_from(scaled) < FAR / 1000 else ""
+    return hint if away_from(scaled) < OTHER_UNIT / 1000 else ""
 
 
 def nearest_to(kinematics: Kinematics, free: FreeMotion, pose: Array) -> Nearest:

@@ -22,7 +22,7 @@ from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import write_bytes, write_text
 
 #: Maximum size of a file [bytes].
-LARGEST = 64 * 2**20
+LARGEST_TABLE = 64 * 2**20
 #: A number as it is written in every language: no digits grouped by `_`, no decimal comma.
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
@@ -49,8 +49,8 @@ class Table:
         cells than the first.
         """
         size = path.stat().st_size
-        if size > LARGEST:
-            raise FileFormatError("file", f"{path} of {size:,} bytes", f"a CSV of at most {LARGEST:,} bytes")
+        if size > LARGEST_TABLE:
+            raise FileFormatError("file", f"{path} of {size:,} bytes", f"a CSV of at most {LARGEST_TABLE:,} bytes")
         try:
             with path.open(newline="", encoding="utf-8-sig") as stream:
                 lines = list(_lines(csv.reader(stream, strict=True), comments=comments))
@@ -110,7 +110,7 @@ VERSION = 1
 #: Maximum duration [s]: ROS counts seconds in 32 bits, and the first message of a bag is stamped 1 s.
 LONGEST = 2**31 - 2
 #: Maximum size of an unpacked NumPy archive [bytes].
-LARGEST = 2**27
+LARGEST_NPZ = 2**27
 #: Keys of a JointTrajectory, and of its points.
 ROS_KEYS = ("header", "joint_names", "points")
 POINT_KEYS = ("positions", "velocities", "accelerations", "effort", "time_from_start")
@@ -323,7 +323,7 @@ def to_npz(trajectory: Trajectory, file: str | Path) -> None:
 
 
 def from_npz(file: str | Path) -> Trajectory:
-    """Read `to_npz`'s file. Raises FileFormatError for another archive, or one of more than `LARGEST` bytes unpacked."""
+    """Read `to_npz`'s file. Raises FileFormatError for another archive, or one of more than `LARGEST_NPZ` bytes unpacked."""
     import zipfile
 
     path = existing_file("file", file)
@@ -332,8 +332,10 @@ def from_npz(file: str | Path) -> Trajectory:
     def read() -> Trajectory:
         with zipfile.ZipFile(path) as archive:
             size = sum(each.file_size for each in archive.infolist())
-        if size > LARGEST:
-            raise FileFormatError("file", f"{path} with {size:,} bytes of numbers", f"{wanted}, of at most {LARGEST:,} bytes")
+        if size > LARGEST_NPZ:
+            raise FileFormatError(
+                "file", f"{path} with {size:,} bytes of numbers", f"{wanted}, of at most {LARGEST_NPZ:,} bytes"
+            )
         with np.load(path, allow_pickle=False) as data:
             return Trajectory(t=data["t"], q=data["q"], qd=data["qd"], joint_names=tuple(data["joint_names"].tolist()))
 

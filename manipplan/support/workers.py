@@ -42,7 +42,7 @@ THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB
 BEGIN = """
 import pickle, sys
 sys.path[:], script = pickle.load(sys.stdin.buffer)
-from manipplan.support.processes import workers
+from manipplan.support import workers
 workers.work(script)
 """
 READY = b"ready"

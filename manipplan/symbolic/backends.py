@@ -1,8 +1,8 @@
 """Choice of a robot's symbolic kinematics: our own chain, or Pinocchio's algorithms with CasADi scalars.
 
-Pinocchio's algorithms as CasADi Functions, without conda: pose, Jacobian, mass matrix, inverse and forward dynamics. Pinocchio's
-wheel lacks the module pinocchio.casadi but contains all headers. A small C++ bridge is compiled with them once on this machine
-and kept in the user's cache folder; it returns serialised CasADi Functions as text.
+Pinocchio's algorithms as CasADi Functions, without conda: pose, Jacobian, mass matrix, inverse and forward dynamics. The wheel
+of `pin` lacks the module pinocchio.casadi but contains all headers. A small C++ bridge is compiled with them once on this
+machine and kept in the user's cache folder; it returns serialised CasADi Functions as text.
 """
 
 import ctypes

@@ -1,4 +1,4 @@
-"""Demands of motion along a path on the joints, tightening of limits where a motion exceeds them, and the fastest speed by toppra.
+"""Demands of motion along a path on the joints, tightening of limits that a motion exceeds, and the fastest speed by toppra.
 
 At each grid point the demands are rows that are linear in x = (dl/dt)² and u = d²l/dt². Acceleration is t u + κ x with tangent
 t = dq/dl and curvature κ = d²q/dl²; torque is M t u + (M κ + C) x + g. Rows are divided by their limit, so each has to stay in

@@ -1,4 +1,4 @@
-"""The fastest speed along a piece of path when jerk is limited too: unknowns, limits, and the barrier method that solves for them.
+"""The fastest speed along a piece of path when jerk is limited too: unknowns, limits, and the barrier method for them.
 
 The unknown is a(l) = (dl/dt)², a quadratic spline with coefficients c; b = d²l/dt² = a'/2 is then continuous and piecewise
 linear. With unit tangent t and curvature κ, acceleration t b + κ a at grid points is linear in c, and the jerk limit on
