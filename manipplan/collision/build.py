@@ -13,11 +13,11 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.pieces import MOST_PIECES
-from manipplan.collision.covers.stored_fits import FitChoice, find_or_choose, find_or_cut, find_or_split
+from manipplan.collision.covers import MOST_PIECES
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
+from manipplan.collision.stored_fits import FitChoice, find_or_choose, find_or_cut, find_or_split
 from manipplan.robots.attached import number_names
 from manipplan.robots.description import VISUAL_HINT
 from manipplan.robots.robot import Robot

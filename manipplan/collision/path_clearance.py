@@ -39,7 +39,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.fitting import enclose
+from manipplan.collision.covers import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.world import core_of
 from manipplan.paths.joint import JointPath, split

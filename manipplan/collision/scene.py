@@ -111,7 +111,7 @@ class Scene(Pictured):
             FileFormatError: the file is cut off or holds something else; the message names the object and the entry.
             UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
         """
-        from manipplan.collision.formats.moveit import read_planning_scene, read_scene_text
+        from manipplan.collision.scene_files import read_planning_scene, read_scene_text
 
         path, folders = existing_file("file", file), UrdfFiles(packages={} if packages is None else packages).packages
         allowed: list[list[str]] = []
@@ -140,7 +140,7 @@ class Scene(Pictured):
             UnknownNameError: a static geom has a shape that this package does not have, such as an ellipsoid.
             MissingExtraError: MuJoCo is not installed.
         """
-        from manipplan.collision.formats.mujoco_scene import read_static_bodies
+        from manipplan.collision.scene_files import read_static_bodies
 
         return cls(read_static_bodies(existing_file("file", file)))
 

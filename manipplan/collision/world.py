@@ -13,7 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.surfaces.shells import find_components
+from manipplan.collision.surfaces import find_components
 from manipplan.robots.hulls import box_corners
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
+from manipplan.collision.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene

@@ -15,8 +15,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers import fitting, pieces
-from manipplan.collision.surfaces import meshes, shells
+from manipplan.collision import covers, surfaces
 from manipplan.collision.world import Primitive, mesh_key, mesh_triangles, outside
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
@@ -76,10 +75,10 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
         stored = _read(file)
     except OSError as error:
         log.info("fitted capsules are not kept on disk: %s", error)
-        return fitting.fit_capsules(triangles)
-    if stored is not None and _contain(stored, fitting.subdivide(triangles)):
+        return covers.fit_capsules(triangles)
+    if stored is not None and _contain(stored, covers.subdivide(triangles)):
         return stored
-    fitted = fitting.fit_capsules(triangles)
+    fitted = covers.fit_capsules(triangles)
     try:
         write_text(file, json.dumps([_plain(each) for each in fitted]))
     except InvalidInputError as error:
@@ -87,7 +86,7 @@ def find_or_fit(triangles: Array) -> list[Primitive]:
     return fitted
 
 
-def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIECES) -> list[pieces.Piece]:
+def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = covers.MOST_PIECES) -> list[covers.Piece]:
     """At most `most` pieces of `convex_pieces`, read from the cache folder if an earlier process stored them.
 
     When it takes long, the log says that it is the mesh of `name`.
@@ -95,23 +94,23 @@ def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = pieces.MOST_PIEC
 
     def cut() -> bytes:
         with log_when_slow(f"convex pieces of the mesh of {name}, once per machine"):
-            found = pieces.convex_pieces(mesh_triangles(mesh), most)
+            found = covers.convex_pieces(mesh_triangles(mesh), most)
         return _pack((piece.hull.corners, piece.hull.faces, piece.excess, 0.0) for piece in found)
 
-    own = "" if most == pieces.MOST_PIECES else f"_{most}"
+    own = "" if most == covers.MOST_PIECES else f"_{most}"
     stored = _unpack(_find_or_make("pieces", f"{_key(mesh_key(mesh))}{own}", cut))
-    return [pieces.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
+    return [covers.Piece(hull=hulls.Hull(corners=corners, faces=faces), excess=excess) for corners, faces, excess, _ in stored]
 
 
-def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[meshes.MeshPart]:
+def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[surfaces.MeshPart]:
     """The parts of the mesh of `name`, by `mesh_parts`, read from the cache folder if an earlier process stored them."""
 
     def split() -> bytes:
-        found = meshes.mesh_parts(name, mesh_triangles(mesh))
+        found = surfaces.mesh_parts(name, mesh_triangles(mesh))
         return _pack((part.corners, part.faces, float(part.closed), float(part.convex)) for part in found)
 
     return [
-        meshes.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
+        surfaces.MeshPart(corners=corners, faces=faces, closed=closed > 0, convex=convex > 0)
         for corners, faces, closed, convex in _unpack(_find_or_make("parts", _key(mesh_key(mesh)), split))
     ]
 
@@ -141,7 +140,7 @@ def _content(shape: coal.CollisionGeometry) -> object:
 @cache
 def _choice_sources() -> bytes:
     """Digest of the sources that a choice depends on."""
-    files = (Path(__file__).parents[1] / "build.py", FOLDER / "distances.c")
+    files = (Path(__file__).with_name("build.py"), FOLDER / "distances.c")
     return hashlib.sha256(b"".join([_sources(), *(file.read_bytes() for file in files)])).digest()
 
 
@@ -193,7 +192,7 @@ def _key(content: bytes | memoryview) -> str:
 @cache
 def _sources() -> bytes:
     """Digest of the sources of the fits and of the version of NumPy."""
-    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (fitting, pieces, meshes, shells, hulls))
+    sources = b"".join(Path(str(module.__file__)).read_bytes() for module in (covers, surfaces, hulls))
     return hashlib.sha256(np.__version__.encode() + sources).digest()
 
 
