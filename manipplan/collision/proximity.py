@@ -165,13 +165,7 @@ class DistanceSearch:
         self._measure(curve, brackets, pairs, "found", "next", ~np.isnan(brackets["next"]))
 
     def _measure(
-        self,
-        curve: Curve,
-        brackets: NDArray[np.void],
-        pairs: NDArray[np.int64],
-        name: str,
-        at: str,
-        asked: NDArray[np.bool_],
+        self, curve: Curve, brackets: NDArray[np.void], pairs: NDArray[np.int64], name: str, at: str, asked: NDArray[np.bool_]
     ) -> None:
         """Put the distances at places of the brackets that are asked for, rounded as `near_pairs.c` rounds its own."""
         q = curve(brackets[at][asked], FINE)

@@ -204,11 +204,7 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 
 
 def _trees(
-    tree: Tree,
-    objects: Sequence[pin.GeometryObject],
-    still: Numbers,
-    pairs: Numbers,
-    arrays: Mapping[str, NDArray[Any]],
+    tree: Tree, objects: Sequence[pin.GeometryObject], still: Numbers, pairs: Numbers, arrays: Mapping[str, NDArray[Any]]
 ) -> dict[str, NDArray[Any]]:
     """One tree per surface that is checked, then the tree over all static bodies `still`: its root is `top`, -1 without any."""
     local, radius, closed = arrays["local"], arrays["radius"], arrays["size"][:, 0]

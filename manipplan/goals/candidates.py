@@ -249,12 +249,7 @@ def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
 
 
 def _refine(
-    found: Reaching,
-    start: Array,
-    model: CollisionModel,
-    integral: PathIntegral,
-    clearance: float,
-    constraints: ConstraintSet,
+    found: Reaching, start: Array, model: CollisionModel, integral: PathIntegral, clearance: float, constraints: ConstraintSet
 ) -> tuple[Array, NDArray[np.int64]]:
     """Further configurations (k, n) with a larger bound than the best of those found, and the rows they begin at."""
     if not len(found.q):

@@ -98,14 +98,7 @@ def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
 
 
 def solutions(
-    robot: Robot,
-    tool: str,
-    goal: PoseGoal,
-    torsos: Array,
-    start: Array,
-    held: NDArray[np.bool_],
-    *,
-    by_steps: bool = False,
+    robot: Robot, tool: str, goal: PoseGoal, torsos: Array, start: Array, held: NDArray[np.bool_], *, by_steps: bool = False
 ) -> OfTool:
     """The solutions of a tool's own arm with the shared joints as in each of `torsos` (p, n); others as there.
 

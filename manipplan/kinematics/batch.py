@@ -164,13 +164,7 @@ def kernel_source(function: ca.Function) -> str:
     n, turning = function.nnz_in(0), pure_angles(found)
     body = [_c_statement(each, copy, turning) for each in found for copy in "ab"[:copies]]
     marks = ", ".join("1" if f"x{i}" in turning else "0" for i in range(n))
-    values = {
-        "@N@": n,
-        "@M@": function.nnz_out(0),
-        "@COPIES@": copies,
-        "@ANGLES@": marks,
-        "@BODY@": "\n  ".join(body),
-    }
+    values = {"@N@": n, "@M@": function.nnz_out(0), "@COPIES@": copies, "@ANGLES@": marks, "@BODY@": "\n  ".join(body)}
     kernel = _KERNEL
     for placeholder, value in values.items():
         kernel = kernel.replace(placeholder, str(value))

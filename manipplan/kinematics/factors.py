@@ -91,10 +91,7 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
         return ()
     return tuple(
         DeterminantFactor(
-            name=name,
-            joint=_only_joint(robot, value, samples),
-            usual=float(np.abs(values[name]).mean()),
-            value=value,
+            name=name, joint=_only_joint(robot, value, samples), usual=float(np.abs(values[name]).mean()), value=value
         )
         for name, value in found.items()
     )

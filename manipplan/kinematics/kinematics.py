@@ -433,12 +433,7 @@ class Kinematics:
 
 
 def kinematics_of(
-    robot: "Robot",
-    task: Task | None,
-    measure: Measure | str | None,
-    backend: str,
-    compiled: bool | str,
-    threads: int | None,
+    robot: "Robot", task: Task | None, measure: Measure | str | None, backend: str, compiled: bool | str, threads: int | None
 ) -> Kinematics:
     """The kinematics of a robot, built once for each set of arguments; see `Robot.kinematics`."""
     task = instance("task", task if task is not None else robot.default_task, Task)

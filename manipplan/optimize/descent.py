@@ -200,15 +200,7 @@ def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: A
     sense = np.zeros(len(lower), dtype=np.int32)
     for tolerance in QP_TOLERANCES:
         x, _, flag, info = daqp.solve(
-            hessian,
-            gradient,
-            jacobian,
-            upper,
-            lower,
-            sense,
-            primal_tol=tolerance,
-            dual_tol=tolerance,
-            iter_limit=QP_STEPS,
+            hessian, gradient, jacobian, upper, lower, sense, primal_tol=tolerance, dual_tol=tolerance, iter_limit=QP_STEPS
         )
         if flag > 0:
             multipliers = np.maximum(-np.asarray(info["lam"])[len(gradient) :], 0.0)

@@ -11,12 +11,7 @@ from manipplan.cost.crossings import find_crossings, least_crossings, with_share
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure
-from manipplan.optimize.certificate import (
-    Certificate,
-    Optimality,
-    _clearance,
-    limit_approaches,
-)
+from manipplan.optimize.certificate import Certificate, Optimality, _clearance, limit_approaches
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line

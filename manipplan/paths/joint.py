@@ -186,8 +186,7 @@ class JointPath:
         if not increasing or breaks[0] != 0 or breaks[-1] != 1:
             raise InvalidInputError("s", breaks, f"{len(points)} increasing numbers from 0 to 1, one per row of q")
         own = distinct(
-            len(breaks),
-            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(breaks[i] - breaks[j])),
+            len(breaks), lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(breaks[i] - breaks[j]))
         )
         breaks, points = breaks[own], points[own]
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])

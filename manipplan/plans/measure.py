@@ -211,14 +211,7 @@ def measure_plan(
     integral = PathIntegral(kinematics=kinematics, power=result.power, floor=result.floor, metric=result.metric)
     start = result.path.start
     found = measure(
-        trajectory,
-        model,
-        integral,
-        start=start,
-        goal=goal,
-        constraints=constraints,
-        clearance=clearance,
-        torque=torque,
+        trajectory, model, integral, start=start, goal=goal, constraints=constraints, clearance=clearance, torque=torque
     )
     first, last = trajectory.q[0], trajectory.q[-1]
     line = JointPath.line(first, last) if np.linalg.norm(last - first) >= COINCIDENT else None

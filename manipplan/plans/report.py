@@ -148,10 +148,7 @@ def deviation_between(recorded: Trajectory, improved: Trajectory, integral: Path
     position, rotation = tool_distances(recorded, improved, u, integral)
     far, turned = int(position.argmax()), int(rotation.argmax())
     return Deviation(
-        position=float(position[far]),
-        position_at=float(u[far]),
-        rotation=float(rotation[turned]),
-        rotation_at=float(u[turned]),
+        position=float(position[far]), position_at=float(u[far]), rotation=float(rotation[turned]), rotation_at=float(u[turned])
     )
 
 

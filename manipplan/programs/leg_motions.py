@@ -295,12 +295,7 @@ class Node:
 
 
 def nodes_of(
-    leg: Leg,
-    state: State,
-    start: Array,
-    planners: ToolPathPlanners,
-    part_poses: Sequence[PartPoses],
-    needed: set[str],
+    leg: Leg, state: State, start: Array, planners: ToolPathPlanners, part_poses: Sequence[PartPoses], needed: set[str]
 ) -> list[Node]:
     """The nodes of a leg, those with the largest bound first.
 

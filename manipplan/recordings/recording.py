@@ -72,11 +72,7 @@ def read_motion(
 
 
 def read_recording(
-    robot: Robot,
-    recorded: Trajectory | JointPath | str | Path,
-    *,
-    degrees: bool,
-    columns: Mapping[str, str] | None = None,
+    robot: Robot, recorded: Trajectory | JointPath | str | Path, *, degrees: bool, columns: Mapping[str, str] | None = None
 ) -> Trajectory:
     """The recorded motion, its columns in the robot's order; see `improve`."""
     file = Path(recorded) if isinstance(recorded, str | Path) else None

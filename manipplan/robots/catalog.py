@@ -219,10 +219,7 @@ _CENTAURO = CatalogEntry(
     ik="spherical",
 )
 _TIAGO_PRO = CatalogEntry(
-    folder="tiago_pro_description",
-    urdf="robots/tiago_pro.urdf",
-    tool=("arm_left_tool_link", "arm_right_tool_link"),
-    joints=15,
+    folder="tiago_pro_description", urdf="robots/tiago_pro.urdf", tool=("arm_left_tool_link", "arm_right_tool_link"), joints=15
 )
 _TIAGO_ARM = (0.2, -0.6, 1.5, 1.6, -1.57, 0.2, 0.0)  # mirror images have the same values on both sides
 
@@ -251,10 +248,7 @@ CATALOG: Mapping[str, CatalogEntry] = {
     ),
     "kinova": _KINOVA,
     "anymal_kinova": replace(
-        _KINOVA,
-        folder="anymal_b_simple_description",
-        urdf="robots/anymal-kinova.urdf",
-        srdf="srdf/anymal-kinova.srdf",
+        _KINOVA, folder="anymal_b_simple_description", urdf="robots/anymal-kinova.urdf", srdf="srdf/anymal-kinova.srdf"
     ),
     "z1": _Z1,
     "b1_z1": replace(_Z1, folder="b1_description", urdf="urdf/b1-z1.urdf", srdf="srdf/b1-z1.srdf"),

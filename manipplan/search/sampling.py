@@ -432,13 +432,7 @@ class CandidateSampler:
         )
 
     def _fill(
-        self,
-        poses: Array,
-        owners: NDArray[np.int64],
-        values: Array,
-        found: Found,
-        spacing: Array,
-        deadline: Deadline,
+        self, poses: Array, owners: NDArray[np.int64], values: Array, found: Found, spacing: Array, deadline: Deadline
     ) -> tuple[NDArray[np.int64], Found]:
         """More samples of the one parameter where solutions of neighbouring values are farther apart than `spacing` (n,).
 

@@ -148,11 +148,7 @@ def seed_path(
     )
     task = replace(task, why_unreachable=cache(partial(why_unreachable, task)))
     finder = _Finder(
-        seeding=seeding,
-        integral=integral if lowers_g else None,
-        checks=checks,
-        compiled=compiled,
-        free=acceptance(task),
+        seeding=seeding, integral=integral if lowers_g else None, checks=checks, compiled=compiled, free=acceptance(task)
     )
     if same_aspect:
         _check_aspect(task, kinematics)

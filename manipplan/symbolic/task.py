@@ -135,13 +135,7 @@ class Task:
 
     @classmethod
     def custom(
-        cls,
-        rows: ArrayLike,
-        frame: str = "world",
-        length: float = 1.0,
-        name: str = "custom",
-        *,
-        relative_to: str | None = None,
+        cls, rows: ArrayLike, frame: str = "world", length: float = 1.0, name: str = "custom", *, relative_to: str | None = None
     ) -> "Task":
         """Any linearly independent rows (m, 6): a direction of the tool's origin, then an axis of rotation.
 
