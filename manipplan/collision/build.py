@@ -25,6 +25,8 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner, once_per_pair
 
+log = logging.getLogger("manipplan")
+
 #: How finely a mesh is taken: by its triangles, or by at most this number of convex pieces, tried in turn.
 MESH, FINE = 0, (12, 24, 48)
 #: Distances above this need not be known to tell whether a pair touches [m].
@@ -130,7 +132,6 @@ SAMPLES = 200
 ALWAYS = 0.95
 #: Maximum share of the samples at which a pair's pieces touch while its meshes do not; above it the meshes are checked.
 COARSE = 0.02
-log = logging.getLogger("manipplan")
 
 
 @once_per_pair

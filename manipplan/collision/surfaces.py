@@ -20,6 +20,8 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.kernels import load_kernel
 
+log = logging.getLogger("manipplan")
+
 #: Corners nearer to each other than this, along each axis, are one [m].
 MERGED = 1e-9
 #: Minimum volume of a closed part, as a share of its area times its extent: below it the part is a surface.
@@ -283,8 +285,6 @@ def _volume(triangles: Array) -> float:
     local = triangles - triangles.reshape(-1, 3).mean(axis=0)
     return float(np.einsum("ti,ti->", local[:, 0], np.cross(local[:, 1], local[:, 2])) / 6)
 
-
-log = logging.getLogger("manipplan")
 
 #: Maximum depth of a face below the hull of its part, as a share of the largest coordinate, and in metres: below it the part is
 #: convex. The coordinates of most files have 24 bits.

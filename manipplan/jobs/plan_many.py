@@ -53,6 +53,8 @@ from manipplan.support.status import Status
 from manipplan.support.workers import WorkerLostError, Workers
 from manipplan.timing.retime import check_timing_limits
 
+log = logging.getLogger("manipplan")
+
 
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -160,7 +162,6 @@ def scene_key(scene: Scene) -> str:
     return content_key([scene.obstacles, own, scene.names, scene.allowed])
 
 
-log = logging.getLogger("manipplan")
 Value = TypeVar("Value")
 
 #: Number of robots and scenes that each thread of a worker keeps, and of pickled ones that the sender keeps.

@@ -38,6 +38,8 @@ from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.progress import interruptible
 
+log = logging.getLogger("manipplan")
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DescentProgram:
@@ -207,8 +209,6 @@ def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: A
             return QuadraticStep(p=np.asarray(x), slack=0.0, multipliers=multipliers)
     return None
 
-
-log = logging.getLogger("manipplan")
 
 #: Maximum number of steps with collision checks, and without them, where a step takes a tenth of the time.
 STEPS, FREE_STEPS = 100, 300

@@ -18,6 +18,8 @@ from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import content_key
 
+log = logging.getLogger("manipplan")
+
 #: Shortest time between samples [s], and largest time [s], position [rad or m] and velocity [rad/s or m/s]: beyond these the
 #: coefficients of the cubics overflow.
 SHORTEST, LARGEST = 1e-12, 1e12
@@ -328,8 +330,6 @@ def joined(parts: Sequence[Trajectory]) -> Trajectory:
         qd.append(part.qd[1:])
     return Trajectory(t=np.concatenate(t), q=np.concatenate(q), qd=np.concatenate(qd), joint_names=parts[0].joint_names)
 
-
-log = logging.getLogger("manipplan")
 
 #: Largest step between two samples that noise makes [rad or m], and the multiple of a joint's largest speed that no motion has.
 JUMP, TOO_FAST = 0.05, 5.0

@@ -25,6 +25,8 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, number, number_array
 from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
+log = logging.getLogger("manipplan")
+
 #: Limits that hold together: a velocity holds on its range of positions.
 RANGE = ("lower", "upper", "velocity")
 
@@ -82,8 +84,6 @@ def with_published_limits(robot: Robot, given: Collection[str]) -> Robot:
     return robot.with_limits(source=sheet.source, **limits) if limits else robot
 
 
-log = logging.getLogger("manipplan")
-
 #: Endings of the files that hold a robot.
 FILES = (".urdf", ".xacro", ".xml", ".mjcf")
 
@@ -115,7 +115,7 @@ class CatalogEntry:
     data_sheet: str = ""
 
 
-# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in data_sheets);
+# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in SHEETS);
 # otherwise the default of JointLimits applies.
 _PANDA = CatalogEntry(
     folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", joints=7, ik="spherical"

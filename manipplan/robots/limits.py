@@ -17,6 +17,8 @@ from manipplan.support.errors import InvalidInputError
 if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
 
+log = logging.getLogger("manipplan")
+
 #: Time to full speed [s], which sets the acceleration limit where neither the user nor the catalogue gives one.
 DEFAULT_RAMP_TIME = 0.2
 
@@ -82,8 +84,6 @@ class JointLimits:
         q = configurations("q", q, self.n)
         return np.maximum(np.maximum(self.lower - q, q - self.upper), 0.0)
 
-
-log = logging.getLogger("manipplan")
 
 #: Default of `Robot.limit_tolerance`, what encoders read at a stop, and the largest, beyond which a posture is another one
 #: [rad or m].

@@ -32,6 +32,8 @@ from manipplan.support.errors import CompilerError, CompilerWarning
 from manipplan.support.files import cache_folder, is_private, private_folder
 from manipplan.support.untrusted import terminal_text
 
+log = logging.getLogger("manipplan")
+
 
 def cache_for(subject: str) -> Path:
     """The folder; raises CompilerError about `subject` where it cannot be used."""
@@ -90,8 +92,6 @@ def digest(content: bytes, file: Path) -> str:
     """Hash of a file's content and name, so that no file is mistaken for another."""
     return hashlib.sha256(file.name.encode() + content).hexdigest()
 
-
-log = logging.getLogger("manipplan")
 
 #: Time after which the line is logged [s].
 PATIENCE = 1.0

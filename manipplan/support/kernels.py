@@ -21,6 +21,8 @@ from manipplan.support.deadline import building
 from manipplan.support.errors import CompilerError
 from manipplan.support.kernel_library import FOLDER, digest_of, find_library
 
+log = logging.getLogger("manipplan")
+
 PREFIX = "manipplan_"
 #: Types of numbers.
 TYPES: dict[str, Any] = {
@@ -112,7 +114,6 @@ def _fields(source: str, declaration: str) -> list[tuple[str, Any]]:
     return fields
 
 
-log = logging.getLogger("manipplan")
 #: Level of optimisation.
 LEVEL = 3
 
