@@ -25,8 +25,6 @@ from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz import style
 from manipplan.viz.shapes import MOST, Faces, faces_of_parts, triangles_of
 
-log = logging.getLogger("manipplan")
-
 
 def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
     """The visual geometry placed on `robot.model`, or None and the reason why there is none."""
@@ -54,6 +52,8 @@ def visual_geometry(robot: Robot) -> tuple[pin.GeometryModel | None, str]:
             geometry.addGeometryObject(item.copy())
     return geometry, ""
 
+
+log = logging.getLogger("manipplan")
 
 Colour = tuple[float, float, float, float]
 #: Number of triangles of all meshes that do not move, such as the legs of a humanoid, and of one of them at least.

@@ -28,8 +28,6 @@ from manipplan.support.checks import whole_number
 from manipplan.support.errors import InvalidInputError, MissingExtraError
 from manipplan.viz.viewer.stage import VIEW, WIDE
 
-log = logging.getLogger("manipplan")
-
 #: One server starts at a time, since viser takes what starts it from a module.
 _starting = threading.Lock()
 
@@ -128,6 +126,8 @@ def _one_line(record: logging.LogRecord) -> bool:
         record.exc_info = None
     return True
 
+
+log = logging.getLogger("manipplan")
 
 #: Width of the panel beside the scene [px].
 PANEL = 320
