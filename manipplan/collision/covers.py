@@ -14,6 +14,7 @@ How far a body sticks out of the shape that it stands for, measured at points on
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations, pairwise
+from operator import attrgetter
 
 import coal
 import numpy as np
@@ -61,14 +62,14 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
     points = _hull_points(triangles.reshape(-1, 3))
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also for two points
     axes[2] *= np.linalg.det(axes)
-    capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=_volume)
+    capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=attrgetter("volume"))
     if refine:
         capsule = _fit_turned(_capsule, points, capsule)
     found = [capsule, _sphere(points)]
     if boxes:
-        box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=_volume)
+        box = min((_box(points, frame) for frame in (np.eye(3), axes.T)), key=attrgetter("volume"))
         found.append(_fit_turned(_box, points, box) if refine else box)
-    return min(found, key=_volume)
+    return min(found, key=attrgetter("volume"))
 
 
 def _best_cut(triangles: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
@@ -119,10 +120,6 @@ def _hull_points(points: Array) -> Array:
         return points
 
 
-def _volume(primitive: Primitive) -> float:
-    return primitive.volume
-
-
 def _fit_turned(fit: Callable[[Array, Array], Primitive], points: Array, start: Primitive) -> Primitive:
     """The fit of smallest volume over all rotations near that of `start`."""
     from scipy.optimize import minimize
@@ -138,7 +135,7 @@ def _fit_turned(fit: Callable[[Array, Array], Primitive], points: Array, start: 
         method="Nelder-Mead",
         options={"maxfev": 120, "initial_simplex": 0.3 * np.vstack([np.zeros(3), np.eye(3)]), "xatol": 1e-3, "fatol": 1e-9},
     )
-    return min([start, turned(found.x)], key=_volume)
+    return min([start, turned(found.x)], key=attrgetter("volume"))
 
 
 def _frame(z: Array) -> Array:
@@ -282,7 +279,7 @@ def convex_pieces(triangles: Array, most: int = MOST_PIECES) -> list[Piece]:
     if most > MOST_PIECES:
         for count in (most, most // 2):
             around = _cut_up(mesh, _sectors(mesh, triangles, count), most)
-            found = min(found, around, key=lambda parts: sum(_volume_of_hull(part.hull.corners) for part in parts))
+            found = min(found, around, key=lambda parts: sum(_volume(part.hull.corners) for part in parts))
     return [part.piece() for part in found]
 
 
@@ -325,7 +322,7 @@ def _sectors(mesh: "_WholeMesh", triangles: Array, count: int) -> list["_CutPart
                 side = _clip(side, axis, offset)
             if len(side):
                 sectors.append((side, cuts))
-        volume = sum(_volume_of_hull(side.reshape(-1, 3)) for side, _ in sectors)
+        volume = sum(_volume(side.reshape(-1, 3)) for side, _ in sectors)
         if volume < least:
             best, least = sectors, volume
     return [_CutPart(mesh, side, np.empty((0, 3)), cuts) for side, cuts in best]
@@ -375,7 +372,7 @@ class _CutPart:
                     continue
                 volume = 0.0
                 for side in sorted((points[along <= offset], points[along >= offset]), key=len, reverse=True):
-                    volume += _volume_of_hull(side) if volume < least else 0.0
+                    volume += _volume(side) if volume < least else 0.0
                 if volume < least:
                     best, least = (np.asarray(axis), float(offset)), volume
         return best
@@ -442,7 +439,7 @@ def _sample(faces: Array) -> Array:
     return np.asarray(corner + u[:, None] * (second - corner) + v[:, None] * (third - corner))
 
 
-def _volume_of_hull(points: Array) -> float:
+def _volume(points: Array) -> float:
     """Volume of the hull of points (k, 3) [m³]; 0 for flat ones."""
     from scipy.spatial import ConvexHull, QhullError
 
