@@ -74,6 +74,7 @@ figures: $(READY)
 pictures: $(READY) egl
 	$(BIN)/python docs/make_pictures.py
 	$(BIN)/python docs/pictures/stills.py
+	$(BIN)/python docs/pictures/tutorials.py
 	$(BIN)/python docs/pictures/draw.py
 	$(BIN)/python docs/pictures/shapes.py
 	$(BIN)/python docs/compare_pictures.py

@@ -161,6 +161,15 @@ def _caption_levels(_app, _page, _template, context, _doctree):
     context["furo_navigation_tree"] = tree.replace('role="heading"', 'role="heading" aria-level="2"')
 
 
+def _recording(app, failed):
+    """The motion of the film as a recording, which the page of the viewer shows: too large to be kept with the sources."""
+    file = Path(app.outdir) / "_static" / "recording.html"
+    if failed is None and app.builder.format == "html" and not file.exists():
+        problem = manipplan.demo.panda_among_boxes()
+        plan = manipplan.plan(problem.robot, problem.start, problem.goal, problem.scene, clearance=problem.clearance)
+        plan.record(file)
+
+
 def setup(app):
     """Run before napoleon and after furo, whose priority is 500."""
     app.connect("autodoc-process-docstring", _docstring, priority=400)
@@ -169,3 +178,4 @@ def setup(app):
     app.connect("env-updated", _short_navigation)
     app.connect("html-page-context", _arguments)
     app.connect("html-page-context", _caption_levels, priority=600)
+    app.connect("build-finished", _recording)

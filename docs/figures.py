@@ -115,8 +115,9 @@ def readme() -> list[Sentence]:
 
 
 def headlines() -> list[Sentence]:
-    """The rows of the first table of the page on benchmarks."""
+    """The rows of the first table of the page on benchmarks, and of those at the head of its chapters."""
     page = "docs/benchmarks.md"
+    kinematics, control, plans = (f"docs/measured/{each}.md" for each in ("kinematics", "servo", "plans"))
     panda, ur5 = motionbenchmaker("motionbenchmaker"), motionbenchmaker("motionbenchmaker_ur5")
     _, asked, medians, worst = programs()
     made, tried, least, most, longest = two_arms()
@@ -141,8 +142,23 @@ def headlines() -> list[Sentence]:
                 shown(1, "kinematics", "the same, ours in CasADi's virtual machine", "faster"),
             ],
         ),
+        Sentence(page, "in four kinds of scenes | {} of {} | mplib {} |", timed_motions()),
         Sentence(
             page,
+            "{} paths of the tool among two cubes, four arms, met to {} mm and {}° | all followed, {} of them without "
+            "interruption; {} keep CppFlow's rule, {} break it by large joint steps; these {} take {} s in the median, {} s at "
+            "most | each of the {} that connect on a grid ten times finer is among the {}; minimum manipulability over that "
+            "grid's: {} in the median, {} at worst |",
+            tool_paths(),
+        ),
+        Sentence(
+            page,
+            "median and worst | {}, {}; of {} random streams {} stall for a moment and {} move backward | placo {}, {}; "
+            "J-PARSE {}, {};",
+            servo(),
+        ),
+        Sentence(
+            kinematics,
             "its exact Hessian of m | {} µs; {} µs without a compiler | {} and {} times faster",
             [
                 shown(1, "kinematics", "the same, exact, ours compiled", "time"),
@@ -152,7 +168,7 @@ def headlines() -> list[Sentence]:
             ],
         ),
         Sentence(
-            page,
+            kinematics,
             "a million configurations, one thread | {} ns each | {} times faster than CasADi's compiled map",
             [
                 rounded(number("kinematics", "ours, 10⁶ q, one thread", "time")),
@@ -169,26 +185,26 @@ def headlines() -> list[Sentence]:
                 *(shown(0, "tracking", "pink, with its manipulability term", each) for each in ("median", "99 %")),
             ],
         ),
-        Sentence(page, "from rest, at 1 ms | {} µs, {} µs |", step("at rest, target 0.2 mm away", "1 ms")),
+        Sentence(control, "from rest, at 1 ms | {} µs, {} µs |", step("at rest, target 0.2 mm away", "1 ms")),
         Sentence(
-            page,
+            control,
             "edge of reach {} times placo's, on one {} times, on three the same; {} to {} times that of the Robotics Toolbox",
             gains_of_tracking(),
         ),
         Sentence(
-            page,
+            kinematics,
             "verified | {} µs; xArm7 {} to {} µs | {} to {} times faster than EAIK, which builds a robot for each value; "
             "{} to {} times where one value is held; on the xArm7 ssik is {} to {} times faster than ours",
             inverse_kinematics(),
         ),
         Sentence(
-            page,
+            kinematics,
             "exact search among 45,000 synthetic candidates | {} to {} ms | {} times faster than a dense dynamic programme, "
             "{} times faster than a ladder graph",
             search(),
         ),
         Sentence(
-            page,
+            plans,
             "1,000 random pairs of the Panda, optimised: median, 95 %, worst time | {} ms, {} ms, {} ms;",
             [shown(0, "panda_pairs", "median, 95 %, worst time", "value", place) for place in range(3)],
         ),
@@ -250,7 +266,7 @@ def headlines() -> list[Sentence]:
             [ur5.proven, ur5.optimal, ur5.median, ur5.high],
         ),
         Sentence(
-            page,
+            plans,
             "median of the processor time | {} ms, {} ms, {} ms | version 0.1 takes {}, {} and {} times as long; "
             "g is lower on average, and more than 1 % higher on {} of {} |",
             [
@@ -261,7 +277,7 @@ def headlines() -> list[Sentence]:
             ],
         ),
         Sentence(
-            page,
+            plans,
             "{} random pairs of the UR5, UR10, Z1 and Kinova, across singularities | all OPTIMAL; {} s, {} s | "
             "g at most {} times the straight line's, {} in the median",
             [
@@ -418,6 +434,32 @@ def inverse_kinematics() -> list[str]:
         f"{max(held):.1f}",
         *(f"{ratio:.1f}" for ratio in slower),
     ]
+
+
+def tool_paths() -> list[str | int]:
+    """The paths of the tool among two cubes that a script made."""
+    name, row, fine = "tool_paths", "all made", "minimum m over that of the finer grid: median, least"
+    time, connect = "time without interruption: median, 95 %, largest", "of those that connect on the finer grid"
+    followed, kept = shown(0, name, row, "followed without interruption"), int(number(name, row, "CppFlow's rule kept"))
+    [met] = set(text(name, r"a tolerance of ([\d.]+) mm"))
+    [turned] = set(text(name, r"a tolerance of [\d.]+ mm and ([\d.]+)°"))
+    number_of = int(number(name, row, "number"))
+    if number(name, row, connect) != number(name, row, connect, 1):
+        raise SystemExit("docs/benchmarks/tool_paths.md: a path that connects on the finer grid is interrupted")
+    return [
+        *(number_of, met, turned, followed, kept, number_of - kept, followed),
+        *(shown(1, name, row, time, place) for place in (0, 2)),
+        *(shown(0, name, row, connect), followed),
+        *(shown(2, name, row, fine, place) for place in (0, 1)),
+    ]
+
+
+def servo() -> list[str]:
+    """Shares of the command followed near singularities, and what became of random streams."""
+    near = "share near: median, worst"
+    laws = ("mp.Servo", "placo 0.10, as it comes", "J-PARSE, γ = 0.1")
+    ours, placo, jparse = ([shown(2, "servo", law, near, place) for place in (0, 1)] for law in laws)
+    return [*ours, *text("servo_random", r"Of (\d+) streams of 20 s, (\d+) have a stall, (\d+) a sample"), *placo, *jparse]
 
 
 def search() -> list[str]:

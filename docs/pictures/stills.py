@@ -1,4 +1,4 @@
-"""Renders what the examples of the gallery show: an arm with its meshes at one moment, the way of its tool, and an ellipsoid.
+"""Draws the thumbnails of the gallery: an arm at one moment, the way of its tool, and an ellipsoid; or one plot.
 
 Run: python docs/pictures/stills.py [plan/cell ...]. Each page is run first, and gives what is drawn. Writes JPEG files into
 this folder. Needs the extra `film`.
@@ -29,6 +29,8 @@ from manipplan.viz.style import OPTIMUM, SEED
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 SIZE, QUALITY = (720, 480), 82
+#: Pixels per inch of a plot.
+DPI = 150
 #: Samples of a path, distance of the points by which a way is drawn [m], and postures that have to be in the picture.
 SAMPLES, STEP, POSTURES = 2000, 0.02, 12
 #: Around the joints and the ways, in each direction [m].
@@ -52,9 +54,21 @@ class Still:
     direction: tuple[float, float] = (140.0, -20.0)
 
 
+@dataclass(frozen=True)
+class Panel:
+    """One of the plots of a page, without the words that are too small in a thumbnail."""
+
+    axes: str
+
+
 #: What each page shows.
 PROGRAM = Still(path="program.parts[1].path", robot="program.parts[1].robot", scene="program.parts[1].scene", ellipsoid=False)
-STILLS = {
+STILLS: dict[str, Still | Panel] = {
+    "plan/rivals": Panel("left"),
+    "plan/power_and_degree": Panel("left"),
+    "measure/workspace_map": Panel("middle"),
+    "measure/planar_postures": Panel("left"),
+    "deploy/export_c": Panel("left"),
     "first_steps/first_plan": Still(at=0.55, other="plan.result.seed"),
     "first_steps/own_robot": Still(at=0.3, other="plan.result.seed"),
     "first_steps/trajectory_files": Still(path="path", scene="mp.Scene()", at=0.3),
@@ -98,8 +112,37 @@ def run(page: str) -> dict[str, Any]:
     return names
 
 
-def picture(still: Still, names: dict[str, Any]) -> Image.Image:
+def picture(still: Still | Panel, names: dict[str, Any]) -> Image.Image:
     """What a page shows."""
+    return panel(names[still.axes]) if isinstance(still, Panel) else rendered(still, names)
+
+
+def panel(axes: plt.Axes) -> Image.Image:
+    """One plot of a figure, as large as it fits, with thicker lines and without words."""
+    figure = axes.figure
+    for other in figure.axes:
+        if other is not axes:
+            other.remove()
+    if legend := axes.get_legend():
+        legend.remove()
+    axes.set(title="", xlabel="", ylabel="")
+    for title in ("left", "right"):
+        axes.set_title("", loc=title)
+    axes.tick_params(bottom=False, left=False, labelbottom=False, labelleft=False)
+    if axes.get_aspect() != "auto":
+        axes.set_aspect(axes.get_aspect(), adjustable="datalim")
+    for line in axes.lines:
+        line.set(linewidth=2.0 * line.get_linewidth(), markersize=1.5 * line.get_markersize())
+    figure.set_size_inches(SIZE[0] / DPI, SIZE[1] / DPI)
+    figure.set_layout_engine("none")
+    axes.set_position((0.01, 0.015, 0.98, 0.97))
+    stream = io.BytesIO()
+    figure.savefig(stream, dpi=DPI)
+    return Image.open(stream).convert("RGB")
+
+
+def rendered(still: Still, names: dict[str, Any]) -> Image.Image:
+    """An arm of a page."""
     names = {"mp": mp, **names}
     robot, scene, path = (eval(text, names) for text in (still.robot, still.scene, still.path))
     paths = [(path, OPTIMUM, still.at)]

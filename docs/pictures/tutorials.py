@@ -1,6 +1,6 @@
-"""Draws the pictures of the tutorials from the code on their pages: python docs/pictures/tutorials.py [cell ...].
+"""Draws pictures of tutorials and how-tos from the code on their pages: python docs/pictures/tutorials.py [tutorials/cell ...].
 
-Writes docs/pictures/tutorial_*.jpg and .png. The two arms need the extra `film`.
+Writes docs/pictures/tutorial_*.jpg and .png, and scene.jpg. The arms need the extra `film`.
 """
 
 import os
@@ -27,16 +27,16 @@ SIZE, QUALITY = (900, 520), 84
 STEPS, STEP, MARGIN = 600, 0.02, 0.12
 
 
-def run(name: str) -> dict[str, Any]:
-    """Run the Python blocks of a tutorial in a folder of their own; returns their names."""
-    text = (HERE.parent / "tutorials" / f"{name}.md").read_text(encoding="utf-8")
+def run(page: str) -> dict[str, Any]:
+    """Run the Python blocks of a page in a folder of their own; returns their names."""
+    text = (HERE.parent / f"{page}.md").read_text(encoding="utf-8")
     names: dict[str, Any] = {"__name__": "__main__"}
     here = Path.cwd()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         try:
             for code in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
-                exec(compile(code, name, "exec"), names)
+                exec(compile(code, page, "exec"), names)
         finally:
             os.chdir(here)
     return names
@@ -81,8 +81,15 @@ def teleoperation(names: dict[str, Any]) -> None:
     figure.savefig(HERE / "tutorial_teleoperation.png", dpi=120)
 
 
-TUTORIALS = {"cell": cell, "weld": weld, "teleoperation": teleoperation}
+def scene(names: dict[str, Any]) -> None:
+    robot, corners = names["robot"], np.array([[0.05, -0.7, 0.0], [0.95, 0.7, 0.0]])
+    around = np.concatenate([skeleton(robot, robot.neutral) + side for side in (-MARGIN, MARGIN)])
+    with Renderer(robot, names["scene"], np.concatenate([around, corners]), SIZE) as renderer:
+        Image.fromarray(renderer.draw(robot.neutral, [])).save(HERE / "scene.jpg", quality=QUALITY, optimize=True)
+
+
+PAGES = {"tutorials/cell": cell, "tutorials/weld": weld, "tutorials/teleoperation": teleoperation, "howto/scene": scene}
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or TUTORIALS:
-        TUTORIALS[name](run(name))
+    for page in sys.argv[1:] or PAGES:
+        PAGES[page](run(page))

@@ -7,6 +7,7 @@ checked motion that does not meet the request (its status says why), 4 a pose ou
 import io
 import logging
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from contextlib import redirect_stderr
@@ -78,11 +79,34 @@ def _later(command: Callable[..., int | None]) -> Callable[..., Callable[[], int
     return with_arguments
 
 
+#: What tyro says, and what we say instead.
+REWORDED = {
+    r"Error parsing (\S+): invalid literal for int\(\) with base 10: (.*)": r"\1: got \2; allowed: a whole number",
+    r"Error parsing (\S+): could not convert string to float: (.*)": r"\1: got \2; allowed: a number",
+    r"invalid choice (\S+) for argument '(\S+)'\. Expected one of \((.*)\)": r"\2: got \1; allowed: \3",
+    r"Missing value for argument '(\S+)'\. Expected 1 values": r"\1: a value is missing",
+    r"Error parsing (\S+): no type matching .* could be instantiated from \[(.*)\]": r"\1: got [\2], not what it takes",
+    r"Got errors: .*": "",
+    r"Missing from .*: (.*)": r"missing: \1",
+    r"Argument helptext: (.*)": r"\1",
+    r"For full helptext, \w+:? (.*)": r"for help: \1",
+}
+
+
 def unboxed(text: str) -> str:
-    """The sentences in a box of tyro on one line, without the title of the box."""
-    lines = [line.strip("╭╮╰╯│─ ") for line in text.splitlines()[1:]]
-    parts = [" ".join(part.split()) for part in "\n".join(lines).strip().split("\n\n")]
-    return "; ".join(part.rstrip(".") for part in parts)
+    """The sentences in a box of tyro on one line, without the title of the box and without the help texts below options."""
+    lines = [line.strip("╭╮╰╯│─").rstrip("─ ") for line in text.splitlines()[1:]]
+    lines = ["" if set(line) <= set("- ") else line for line in lines]
+    least = min((len(line) - len(line.lstrip()) for line in lines if line), default=0)
+    shallow = "\n".join(line.strip() for line in lines if not line.startswith((least + 8) * " "))
+    parts = [" ".join(part.split()).rstrip(".") for part in shallow.strip().split("\n\n")]
+    return "; ".join(filter(None, map(_reworded, parts)))
+
+
+def _reworded(sentence: str) -> str:
+    for said, ours in REWORDED.items():
+        sentence = re.sub(f"^{said}$", ours, sentence)
+    return sentence
 
 
 class _Printable(logging.Formatter):

@@ -2,8 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated, TypeAlias
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 from tyro.conf import OmitArgPrefixes, arg
@@ -16,24 +17,36 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.symbolic.task import Task
 
+
+def _default(text: str) -> str:
+    """The hint at the end of a help text: nothing where the default is to give nothing."""
+    return "" if text in ("", "None") else f"(default: {text})"
+
+
+_option = partial(arg, help_behavior_hint=_default)
+
 RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT")]
-OptionalRobot: TypeAlias = Annotated[str | None, arg(metavar="ROBOT")]
+OptionalRobot: TypeAlias = Annotated[str | None, _option(metavar="ROBOT")]
 Folder: TypeAlias = Annotated[Path, arg(metavar="FOLDER")]
 InputFile: TypeAlias = Annotated[Path, arg(metavar="FILE")]
-OptionalFile: TypeAlias = Annotated[Path | None, arg(metavar="FILE")]
-Configuration: TypeAlias = Annotated[tuple[str, ...], arg(metavar="Q [Q ...]")]
-Numbers: TypeAlias = Annotated[tuple[float, ...], arg(metavar="X [X ...]")]
-Counts: TypeAlias = Annotated[tuple[int, ...], arg(metavar="N [N ...]")]
-OptionalCount: TypeAlias = Annotated[int | None, arg(metavar="N")]
-OptionalSpeed: TypeAlias = Annotated[float | None, arg(metavar="METRES/SECOND")]
-Words: TypeAlias = Annotated[tuple[str, ...], arg(metavar="NAME=VALUE [...]")]
-OptionalName: TypeAlias = Annotated[str | None, arg(metavar="NAME")]
-Axis: TypeAlias = Annotated[tuple[float, float, float] | None, arg(metavar="X Y Z")]
+OptionalFile: TypeAlias = Annotated[Path | None, _option(metavar="FILE")]
+Configuration: TypeAlias = Annotated[tuple[str, ...], _option(metavar="Q [Q ...]")]
+Numbers: TypeAlias = Annotated[tuple[float, ...], _option(metavar="X [X ...]")]
+Counts: TypeAlias = Annotated[tuple[int, ...], _option(metavar="N [N ...]")]
+Count: TypeAlias = Annotated[int, arg(metavar="N")]
+OptionalCount: TypeAlias = Annotated[int | None, _option(metavar="N")]
+Number: TypeAlias = Annotated[float, arg(metavar="X")]
+OptionalSpeed: TypeAlias = Annotated[float | None, _option(metavar="METRES/SECOND")]
+Words: TypeAlias = Annotated[tuple[str, ...], _option(metavar="NAME=VALUE [...]")]
+OptionalName: TypeAlias = Annotated[str | None, _option(metavar="NAME")]
+Axis: TypeAlias = Annotated[tuple[float, float, float] | None, _option(metavar="X Y Z")]
 Metres: TypeAlias = Annotated[float, arg(metavar="METRES")]
 Seconds: TypeAlias = Annotated[float, arg(metavar="SECONDS")]
-OptionalSeconds: TypeAlias = Annotated[float | None, arg(metavar="SECONDS")]
+OptionalSeconds: TypeAlias = Annotated[float | None, _option(metavar="SECONDS")]
+Address: TypeAlias = Annotated[str, arg(metavar="ADDRESS")]
+Part: TypeAlias = Annotated[Literal["position", "orientation"] | None, _option(metavar="{position,orientation}")]
 Distances: TypeAlias = Annotated[tuple[float, float], arg(metavar="METRES RADIANS")]
-OptionalDistances: TypeAlias = Annotated[tuple[float, float] | None, arg(metavar="METRES RADIANS")]
+OptionalDistances: TypeAlias = Annotated[tuple[float, float] | None, _option(metavar="METRES RADIANS")]
 
 
 @dataclass(frozen=True, kw_only=True)

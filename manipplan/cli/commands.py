@@ -14,13 +14,16 @@ from tyro.conf import Positional
 
 from manipplan.cli import terminal
 from manipplan.cli.arm import (
+    Address,
     Axis,
     Configuration,
+    Count,
     Counts,
     Distances,
     Folder,
     InputFile,
     Metres,
+    Number,
     Numbers,
     OptionalCount,
     OptionalDistances,
@@ -29,6 +32,7 @@ from manipplan.cli.arm import (
     OptionalRobot,
     OptionalSeconds,
     OptionalSpeed,
+    Part,
     RobotName,
     RobotOptions,
     Seconds,
@@ -78,14 +82,14 @@ def plan(
     out: Folder = Path("plan"),
     options: WithRobotOptions = RobotOptions(),
     jerk: Numbers = (),
-    power: float = 1.0,
+    power: Number = 1.0,
     measure: OptionalName = None,
-    degree: int = 6,
+    degree: Count = 6,
     shifts: Literal["none", "nearest", "within-limits"] = "none",
     clearance: Metres = 0.0,
     torque: bool = False,
-    seed: int = 0,
-    seeds: int = 1,
+    seed: Count = 0,
+    seeds: Count = 1,
     time_limit: Seconds = 10.0,
 ) -> int:
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
@@ -96,16 +100,14 @@ def plan(
         start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         goal: As `start`. Give one of goal, goal-pose and goals.
         goal_pose: Pose of the tool in the world: x y z [m], then roll pitch yaw [rad] or a quaternion x y z w.
-        goals: YAML file with a list of goals under the key goals, of which the one with the best motion is chosen: each a
-            position [m] and rotation (roll pitch yaw [rad] or quaternion x y z w), a q, or a state.
+        goals: YAML file, under the key goals a list of position and rotation, q or state; the one with the best motion wins.
         constraints: YAML file with what the motion keeps, under the key constraints: tilt_limit, position_box and held_joints.
         out: Folder for the files that are written.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         power: Exponent of the manipulability in the objective.
         measure: Name of the manipulability measure; default: Yoshikawa's.
         degree: Degree of the path's polynomial.
-        shifts: nearest takes the full turn of each joint that is nearest to the start; within-limits also tries goals a full
-            turn away.
+        shifts: Full turns of the goal's joints: none, those nearest to the start, or all that are within the limits.
         clearance: Minimum distance to keep [m].
         torque: Keep the joints' effort limits as well.
         seed: Random seed of the planner.
@@ -204,14 +206,14 @@ def follow(
     /,
     start: Configuration = (),
     tool_speed: OptionalSpeed = None,
-    slowdown: float = STEADY,
+    slowdown: Number = STEADY,
     positions: OptionalCount = None,
-    interruptions: int = 0,
+    interruptions: Count = 0,
     retreat: Numbers = (0.05,),
-    epsilon: float = 0.2,
+    epsilon: Number = 0.2,
     samples: Counts = (),
     pointing: Axis = None,
-    only: Literal["position", "orientation"] | None = None,
+    only: Part = None,
     tolerance: OptionalDistances = None,
     out: Folder = Path("follow"),
     options: WithRobotOptions = RobotOptions(),
@@ -220,7 +222,7 @@ def follow(
     closed: bool = False,
     torque: bool = False,
     measure: OptionalName = None,
-    seed: int = 0,
+    seed: Count = 0,
     time_limit: OptionalSeconds = None,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
@@ -344,11 +346,11 @@ def check(
     path_begin: Seconds = 0.0,
     tolerance: OptionalDistances = None,
     pointing: Axis = None,
-    only: Literal["position", "orientation"] | None = None,
+    only: Part = None,
     constraints: OptionalFile = None,
     clearance: Metres = 0.0,
     torque: bool = False,
-    power: float = 1.0,
+    power: Number = 1.0,
     measure: OptionalName = None,
     degrees: bool = False,
     column: Words = (),
@@ -407,7 +409,7 @@ def check(
     return 0 if report.passed else 1
 
 
-def demo(out: Folder = Path("demo"), seed: int = 0) -> int:
+def demo(out: Folder = Path("demo"), seed: Count = 0) -> int:
     """Plan for a Panda among five boxes, and for a planar arm of three links between the configurations of (6.13) in kth2012.
 
     Args:
@@ -439,8 +441,8 @@ def demo(out: Folder = Path("demo"), seed: int = 0) -> int:
 def view(
     result: Positional[InputFile],
     /,
-    port: int = 8080,
-    host: str = "localhost",
+    port: Count = 8080,
+    host: Address = "localhost",
     browser: bool = True,
     record: OptionalFile = None,
 ) -> None:
@@ -527,15 +529,15 @@ def robots(name: Positional[OptionalRobot] = None, /, *, names: bool = False) ->
             text = str(load_robot(name))
         terminal.show_line(console, text)
         return
-    table = Table(Column("name", no_wrap=True), "joints", Column("tool frame", overflow="fold"), "IK", "source", box=None)
+    table = Table(Column("name", no_wrap=True), "joints", Column("tool frame", no_wrap=True), "IK", box=None)
     for each, entry in CATALOG.items():
         tools = (entry.tool,) if isinstance(entry.tool, str) else entry.tool
-        table.add_row(each, str(entry.joints), terminal_text(", ".join(tools)), entry.ik, "example-robot-data")
+        table.add_row(each, str(entry.joints), terminal_text("\n".join(tools)), entry.ik)
+    console.print(table)
     for each, points in own_robots().items():
         reason = refusal(each, points)
         source = f"{package_of(points[0])}: {points[0].value}" if reason is None else f"cannot be loaded; allowed: {reason}"
-        table.add_row(terminal_text(each), "", "", "", terminal_text(source))
-    console.print(table)
+        terminal.show_line(console, f" {each}: {source}")
     for line in _collections(names):
         terminal.show_line(console, line)
 

@@ -22,7 +22,7 @@ from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.report import PlanReport, with_errors
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
-from manipplan.robots.arms import arm_of, known_tool, own_joints
+from manipplan.robots.arms import arm_of, known_tool, own_joints, shared_joints
 from manipplan.robots.attached import without_bodies
 from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.model_tree import frame_index
@@ -34,6 +34,7 @@ from manipplan.seeds.task import CHECK_STEP
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix, random_seed, whole_number
 from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError, PlanningError
+from manipplan.support.memo import once_per_owner
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
 from manipplan.support.workers import one_thread
@@ -467,11 +468,26 @@ class LoneArm:
         return found
 
 
-def lone_robot(robot: Robot, tool: str, joints: list[int], posture: Array) -> Robot:
-    """The arm of some joints of one tool, with the others locked at `posture` (n,) and without the bodies of other arms."""
+def lone_robot(robot: Robot, tool: str, posture: Array) -> Robot:
+    """The joints of one tool alone, with those that move both tools locked as in `posture` (n,), without bodies of other arms.
+
+    It is built once where they are locked at the neutral posture.
+    """
+    held = robot.neutral.copy()
+    shared = list(shared_joints(robot))
+    held[shared] = posture[shared]
+    return _neutral_lone_robot(robot, tool) if (held == robot.neutral).all() else _lone_robot_at(robot, tool, held)
+
+
+@once_per_owner
+def _neutral_lone_robot(robot: Robot, tool: str) -> Robot:
+    return _lone_robot_at(robot, tool, robot.neutral)
+
+
+def _lone_robot_at(robot: Robot, tool: str, held: Array) -> Robot:
     others = {i for i in range(robot.n) if i not in robot.joints_of(tool)}
     away = [item.name for item in robot.geometry.geometryObjects if robot.model.joints[item.parentJoint].idx_q in others]
-    arm = arm_of(robot, tool, joints, posture)
+    arm = arm_of(robot, tool, own_joints(robot, tool), held)
     return replace(arm, geometry=without_bodies(arm.geometry, away), source=None)
 
 
@@ -535,7 +551,7 @@ def _arms(request: Request, s: Array, notify: Progress, *, finer: bool) -> list[
     arms, robot = [], request.robot
     for k, tool in enumerate(request.grasps):
         joints = own_joints(robot, tool)
-        lone = lone_robot(robot, tool, joints, request.still)
+        lone = lone_robot(robot, tool, request.still)
         try:
             layers = sample_layers(
                 lone,

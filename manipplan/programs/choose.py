@@ -36,7 +36,7 @@ NEARBY = 0.05
 UNPLANNED = 1e9
 
 #: Shares of the time that a program takes to be found: for timing and checking it; of that left for its free motions.
-ENDING, FREE = 0.4, 0.6
+ENDING, FREE = 0.55, 0.6
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state, within a time [s].
 Planner = Callable[[Leg, Array, Array, State, float], Plan | Failure]

@@ -52,7 +52,7 @@ class Mark:
         path_begin: when the tool comes onto the path or straight way of the step, after a free motion to it [s]; None without.
         tool_speed: of a MoveAlong with a tool speed: the speed of the tool, measured on the motion; None for others.
         blend: radius of the blend with the step after it [m]; 0 where the arm stops at the corner; None without a corner.
-        path_blend: the same where the tool comes onto its path or straight way.
+        path_blend: the same where the tool reaches its path or straight way.
     """
 
     step: int

@@ -384,7 +384,10 @@ def load_robot(name: str | Path, **options: object) -> Robot:
         prefix, colon, folder = str(name).partition(":")
         if colon and difflib.get_close_matches(prefix.lower() + colon, [MENAGERIE], cutoff=0.7):
             raise UnknownNameError("name", str(name), [f"{MENAGERIE}{folder}"])
-        raise UnknownNameError("name", str(name), [*CATALOG, *own])
+        others = (
+            f"a name of another collection, such as 'ur5e{ENDING}' or '{MENAGERIE}franka_fr3', or a file ({', '.join(FILES)})"
+        )
+        raise UnknownNameError("name", str(name), [*CATALOG, *own], others=others)
     reason = refusal(str(name), own[str(name)])
     if reason is not None:
         raise InvalidInputError("name", str(name), reason)

@@ -1,6 +1,6 @@
 """fewest_interruptions: where to lift off and to come back in another configuration if no path leads through all layers.
 
-Each stretch of a path that connects does so, too. So the longest part from a position on, then the longest from its end on, and
+Any stretch of a connected part is connected. So the longest part from a position on, then the longest from its end on, and
 so forth, are the fewest parts of an open path; those of a cycle are the fewest over all positions where it can begin. How far
 parts reach takes one sweep: it finds the first position from which each position is reached.
 """
@@ -81,7 +81,7 @@ def fewest_interruptions(
         first = first_above(0)
         edges = _edges(first, closed=layers.closed)
         if not edges:
-            raise PlanningError(_gap(search.first_positions(Subset(), reach, "gaps"), len(layers.q)), None)
+            raise PlanningError(_gap(search.first_positions(Subset(), reach, "gaps of the path"), len(layers.q)), None)
         # values[low] allows so few parts, values[high] does not; more and more values from above, then in turns the value next
         # to what the best paths of the parts reach, and half-way
         low, high, stride, next_to = 0, len(values), FIRST, False
@@ -118,7 +118,7 @@ class Gaps:
 def find_gaps(layers: Layers, epsilon: ArrayLike) -> Gaps:
     """The gaps of a path through the layers, by one sweep; arguments as in `fewest_interruptions`."""
     with _search(layers, None) as search:
-        first = search.first_positions(Subset(), _reach(layers, epsilon, strict=True), "gaps")
+        first = search.first_positions(Subset(), _reach(layers, epsilon, strict=True), "gaps of the path")
     edges = _edges(first, closed=layers.closed)
     ranges, begin, end = list[tuple[int, int]](), 0, len(first) - 1
     while (farthest := _farthest(first, begin)) < end:

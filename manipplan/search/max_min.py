@@ -296,18 +296,19 @@ def minimum_from_each(
     return minimum_to_each(backwards, epsilon, strict=strict, cap=cap)
 
 
-def path_above(layers: Layers, reach: Array, least: float) -> Array | None:
+def path_above(layers: Layers, reach: Array, least: float, progress: Progress) -> Array | None:
     """The shortest of the paths (L, n) with the largest minimum manipulability, if that is at least `least`; None for none.
 
     Each step is below its own row of `reach`, (L - 1, n) or, for closed layers, (L, n).
     """
+    text = "a better path with faster joints"
     with ThreadPool(all_cores() if layers.count >= THREADED else 1) as pool:
-        search = ThresholdSearch(layers, pool, silent, work=layers.count)
-        if search.best(Widest(), Subset(threshold=least, cap=least), reach, "a better path") is None:  # told sooner
+        search = ThresholdSearch(layers, pool, progress, work=3 * layers.count)
+        if search.best(Widest(), Subset(threshold=least, cap=least), reach, text) is None:  # told sooner
             return None
-        best = search.best(Widest(), Subset(threshold=least), reach, "a better path")
+        best = search.best(Widest(), Subset(threshold=least), reach, text)
         assert best is not None
-        path = search.best(Shortest(), Subset(threshold=search.minimum_manipulability(best)), reach, "a better path")
+        path = search.best(Shortest(), Subset(threshold=search.minimum_manipulability(best)), reach, text)
         assert path is not None
         return search.configurations(path)
 

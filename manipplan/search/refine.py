@@ -11,7 +11,7 @@ from manipplan.search.layers import Layers, step_limits
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.sweep import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, flag, instance, number, whole_number
-from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, as_callback, interruptible
@@ -198,7 +198,10 @@ class _Refiner:
         offsets = np.array(list(product(around, repeat=own)))
         offsets = np.hstack([offsets, np.zeros((len(offsets), parameters.shape[1] - own))])
         sets, values = [], []
-        sampled = self.sampler.sample(self.poses, [each + offsets for each in parameters])
+        try:
+            sampled = self.sampler.sample(self.poses, [each + offsets for each in parameters], deadline=self.deadline)
+        except OutOfTimeError:
+            return q
         for k, (near, m) in enumerate((each.q, each.m) for each in sampled):
             step = steps_between(q[k], near, self.layers.continuous)
             beside = np.abs(step).max(axis=1) < (10 * spread if k or not self.hold_start else 0.0)

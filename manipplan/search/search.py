@@ -78,7 +78,7 @@ def _split(q: Array, members: NDArray[np.int64], first: int, last: int) -> tuple
 
 
 #: Minimum time between progress calls [s].
-RATE = 0.1
+RATE = 0.05
 #: Maximum memory of the sorted layers of a cycle that are kept for the next sweep [bytes].
 CACHE_BYTES = 256e6
 #: Number of cells per candidate of a layer, and minimum number of cells.
@@ -123,7 +123,7 @@ class ThresholdSearch:
         """The first position that no path from position 0 reaches; L when all are reached."""
         stages = [each._replace(m=np.zeros(len(each.m))) for each in self._stages(reach)]
         grid = self._grid(reach, self.layers.count)
-        return self._sweep(self._sort(stages, Subset(), grid), grid, Widest(), "gaps").depth
+        return self._sweep(self._sort(stages, Subset(), grid), grid, Widest(), "gaps of the path").depth
 
     def first_positions(self, part: Subset, reach: Array, text: str) -> NDArray[np.int64]:
         """For each position (L,), the first one from which a path leads to it; for a cycle (2 L,), twice around it.

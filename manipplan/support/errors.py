@@ -47,9 +47,9 @@ class InvalidInputError(ManipplanError, ValueError):
 class UnknownNameError(InvalidInputError):
     """A name that does not exist, with the nearest names that do."""
 
-    def __init__(self, argument: str, name: str, known: Iterable[str], *, empty: str = "none") -> None:
-        """`empty`: what is allowed where no name is known."""
-        self.known, self.empty = sorted(known), empty
+    def __init__(self, argument: str, name: str, known: Iterable[str], *, empty: str = "none", others: str = "") -> None:
+        """`empty`: what is allowed where no name is known; `others`: what is allowed beside the names."""
+        self.known, self.empty, self.others = sorted(known), empty, others
         folded = {each.lower(): each for each in self.known}
         nearness = 0.5 if len(self.known) > FEW_NAMES else 0.7  # few names are listed rather than one that is hardly alike
         near = [folded[each] for each in difflib.get_close_matches(name.lower(), folded, n=3, cutoff=nearness)]
@@ -58,10 +58,11 @@ class UnknownNameError(InvalidInputError):
         listed = ", ".join(near or self.known[:12])
         more = "" if near or len(self.known) <= 12 else f", ... ({len(self.known)} in all)"
         allowed = f"did you mean {listed}?" if near else f"one of {listed}{more}" if self.known else empty
-        super().__init__(argument, name, allowed)
+        beside = f"{' Or' if near else ', or'} {others}" if others else ""
+        super().__init__(argument, name, f"{allowed}{beside}")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return partial(type(self), empty=self.empty), (self.argument, self.value, self.known)
+        return partial(type(self), empty=self.empty, others=self.others), (self.argument, self.value, self.known)
 
 
 class OutOfReachError(InvalidInputError):

@@ -135,7 +135,7 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
     """
     while True:
         begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
-        gaps = find_gaps(begun.layers, epsilon)
+        gaps = find_gaps(begun.layers, epsilon, progress=part(notify, 0.0, 0.0))
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
             spanned = np.arange(first, last) % (len(planner.layers.q) - (not planner.layers.closed))
@@ -167,10 +167,13 @@ def raise_minimum(
         return planner
     for _ in range(RAISED):
         begun = planner if start is None else planner.starting_at(start)
-        found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False)
+        waiting = part(notify, 0.0, 0.0)
+        found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False, progress=waiting)
         if best is planner or found.minimum > least + GAIN * abs(least):
             best, least = planner, found.minimum
-        needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least)) if found.connected else np.ones(0, dtype=np.int64)
+        needed = np.ones(0, dtype=np.int64)
+        if found.connected:
+            needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least), waiting)
         if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST or planner.deadline.passed:
             break
         notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
@@ -181,7 +184,7 @@ def raise_minimum(
     return best
 
 
-def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float) -> NDArray[np.int64]:
+def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float, notify: Progress) -> NDArray[np.int64]:
     """Into how many pieces each interval between positions (k,) has to be divided for a minimum manipulability of `least`.
 
     All 1 where none is possible with the longest steps.
@@ -191,7 +194,7 @@ def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float) -
     for faster in 2 ** np.arange(1, HALVED + 1):
         reach = steps * np.minimum(faster, most)[:, None]
         reach[:, layers.continuous] = np.minimum(reach[:, layers.continuous], LONGEST)
-        q = path_above(layers, reach, least)
+        q = path_above(layers, reach, least, notify)
         if q is not None:
             needed = np.abs(path_steps(q, layers.continuous, closed=layers.closed) / steps).max(axis=1)
             pieces = 2 ** (np.floor(np.log2(np.maximum(needed, 0.5))).astype(np.int64) + 1)

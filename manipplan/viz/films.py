@@ -162,7 +162,7 @@ class _FilmFigure:
         if len(least) < 2 or not least[1] > least[0] > 0:
             return None
         text = f"minimum {least[1] / least[0]:.1f} times as high"
-        font: dict[str, Any] = {"color": self.motions[1].colour, "weight": "bold", "size": 12 * self.scale}
+        font: dict[str, Any] = {"color": self.ink, "weight": "bold", "size": 12 * self.scale}
         return self.figure.text(0.985, self.values[1].get_position()[1], text, ha="right", va="top", visible=False, **font)
 
     def _draw_chart(self) -> list[tuple[Any, Any, Any]]:
@@ -191,11 +191,11 @@ class _FilmFigure:
             least = ax.annotate(
                 f"minimum {each.manipulability[k]:.{self.decimals}f}",
                 (shown.t[k], each.manipulability[k]),
-                xytext=(0, 7 * self.scale),
+                xytext=(0, 12 * self.scale),
                 textcoords="offset points",
                 ha=("left", "center", "right")[int(np.digitize(shown.t[k] / self.end, (0.1, 0.9)))],
                 va="bottom",
-                color=each.colour,
+                color=self.ink,
                 weight="bold",
                 size=9 * self.scale,
                 visible=False,

@@ -14,6 +14,7 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import max_min_search, minimum_from_each, path_above, search_within
 from manipplan.support.errors import PlanningError
+from manipplan.support.progress import silent
 from manipplan.support.status import Status
 
 GRAPHS = 1000
@@ -333,11 +334,11 @@ def test_a_path_above_a_minimum_is_the_best_one_or_none(closed):
         reach = np.tile(epsilon, (len(layers.q) - (not closed), 1))
         best = layered.widest(layers, epsilon, True)
         if best == -np.inf:
-            assert path_above(layers, reach, float(min(m.min() for m in layers.m))) is None
+            assert path_above(layers, reach, float(min(m.min() for m in layers.m)), silent) is None
             continue
         connected += 1
-        q = path_above(layers, reach, best)
+        q = path_above(layers, reach, best, silent)
         indices = tuple(int(np.abs(rows - each).max(axis=1).argmin()) for rows, each in zip(layers.q, q, strict=True))
         assert (np.abs(layered.path_steps(layers, indices)) < epsilon).all()
-        assert path_above(layers, reach, np.nextafter(best, np.inf)) is None
+        assert path_above(layers, reach, np.nextafter(best, np.inf), silent) is None
     assert 5 < connected < 60

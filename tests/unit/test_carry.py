@@ -120,8 +120,13 @@ def test_robots_with_a_torso_carry_and_hold_it_still(name):
 def test_the_default_takes_few_samples_where_each_is_a_search(baxter):
     for robot, few in ((baxter, True), (mp.load_robot("tiago_dual"), False)):
         for tool in robot.tools:
-            lone = lone_robot(robot, tool, own_joints(robot, tool), robot.neutral)
+            lone = lone_robot(robot, tool, robot.neutral)
             assert (_count(lone) < 50) is few
+
+
+def test_an_arm_without_a_torso_is_built_once(baxter):
+    for tool in baxter.tools:
+        assert lone_robot(baxter, tool, baxter.neutral) is lone_robot(baxter, tool, baxter.neutral + 0.1)
 
 
 @pytest.mark.slow

@@ -17,7 +17,7 @@ import pytest
 from chains import chain_file
 
 import manipplan as mp
-from manipplan.cli import main
+from manipplan.cli import COMMANDS, main
 
 doctor = import_module("manipplan.cli.doctor")  # the package has its function under this name
 START = ["0", "1.5", "-2"]
@@ -434,7 +434,16 @@ def test_output_that_is_not_read_to_its_end_is_no_error():
         ([], "Expected one of {demo, plan,"),
         (["plna"], "Unrecognized options: plna"),
         (["plan", "panda", "--bogus"], "--start Q [Q ...]"),
-        (["view", "plan", "--port", "abc"], "--port"),
+        (["view", "plan", "--port", "abc"], "--port: got 'abc'; allowed: a whole number; --port N"),
+        (["plan", "panda", "--start", "default", "--power", "x"], "--power: got 'x'; allowed: a number;"),
+        (["plan", "panda"], "missing: --start Q [Q ...]; for help: manipplan plan --help"),
+        (["plan", "panda", "--start", "default", "--gaol", "1"], "Perhaps you meant: --goal Q [Q ...]; for help"),
+        (["study", "kth"], "paper: got 'kth'; allowed: 'kth2012', "),
+        (["view", "--port"], "--port: a value is missing; for help"),
+        (
+            ["follow", "panda", "path", "--pointing", "1", "2"],
+            "--pointing: got ['1', '2'], not what it takes; --pointing X Y Z",
+        ),
     ],
 )
 def test_options_that_cannot_be_read_are_one_line_too(given, message, capsys):
@@ -455,12 +464,22 @@ def test_bash_completes_commands_and_options(tmp_path):
     assert "--tyro-print-completion" in " ".join(
         subprocess.run([*python, "--help"], capture_output=True, text=True, check=True).stdout.split()
     )
-    for words, expected in (("manipplan pl", "plan"), ("manipplan view --rec", "--record")):
+    for words, expected in (("manipplan pl", "plan"), ("manipplan view --rec", "--record"), ("manipplan plan --go", "--goals")):
         script = f"""source {file}
         COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); COMP_LINE='{words}'; COMP_POINT=${{#COMP_LINE}}
         $(complete -p manipplan | sed -E 's/.*-F ([^ ]+).*/\\1/'); printf '%s\\n' "${{COMPREPLY[@]}}" """
         found = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
         assert expected in found.stdout.split(), (words, found)
+        assert all(" " not in line for line in found.stdout.splitlines()), "part of a help text is offered"
+
+
+def test_help_names_no_default_where_giving_nothing_is_the_default(capsys):
+    for command in COMMANDS:
+        with pytest.raises(SystemExit):
+            main([command, "--help"])
+        told = " ".join(capsys.readouterr().out.replace("│", " ").split())
+        assert told and "default: )" not in told and "default: None)" not in told
+        assert not set(re.findall(r"--[\w-]+ (INT|FLOAT|STR)\b", told)), "a metavar that does not say what is wanted"
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 import logging
 import os
+import re
 import subprocess
 import sys
 import warnings
@@ -140,6 +141,12 @@ def test_names_of_robot_descriptions(descriptions):
     descriptions(ur5e_description="")
     with pytest.raises(mp.errors.UnknownNameError, match="did you mean ur5e_description"):
         mp.load_robot("ur5f_description")
+
+
+def test_unknown_names_are_told_of_the_other_collections():
+    for name, told in (("fr3", "did you mean ur3? Or"), ("iiwa", "in all), or")):
+        with pytest.raises(mp.errors.UnknownNameError, match=re.escape(told) + ".* 'menagerie:franka_fr3', or a file"):
+            mp.load_robot(name)
 
 
 def test_the_packages_that_are_missing(monkeypatch):

@@ -16,6 +16,7 @@ writes the project, builds it with CMake, runs it, and compares the results with
 digit by digit.
 """
 
+# sphinx_gallery_thumbnail_path = "pictures/export_c.jpg"
 import shutil
 import subprocess
 import tempfile

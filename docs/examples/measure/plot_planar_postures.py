@@ -15,6 +15,7 @@ stationary postures and proves that none is missing, so the best of them is the 
 optimum.
 """
 
+# sphinx_gallery_thumbnail_path = "pictures/planar_postures.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

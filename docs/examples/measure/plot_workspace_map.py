@@ -13,6 +13,7 @@ manipulability over the workspace answers this. This page evaluates a million
 configurations and shows a slice through the workspace.
 """
 
+# sphinx_gallery_thumbnail_path = "pictures/workspace_map.jpg"
 import time
 
 import matplotlib.pyplot as plt

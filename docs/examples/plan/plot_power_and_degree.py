@@ -14,6 +14,7 @@ takes less than a second, so this page varies them and shows what each does to t
 and what it costs.
 """
 
+# sphinx_gallery_thumbnail_path = "pictures/power_and_degree.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

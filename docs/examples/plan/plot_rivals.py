@@ -18,6 +18,7 @@ others are its rivals.
 # The joints of the arm turn 4.5 rad in each direction. There are two posts, and several
 # ways lead from the start to the goal.
 
+# sphinx_gallery_thumbnail_path = "pictures/rivals.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 
