@@ -81,9 +81,9 @@ pictures: $(READY) egl
 
 # Builds the kernels again after a change of manipplan/csrc: the library, and their text in LLVM's language for machines without
 # a C compiler, which needs clang 16.
-KERNELS = $(shell $(BIN)/python -c "from manipplan.support.compiling.kernel_library import KERNELS; print(*KERNELS)")
+KERNELS = $(shell $(BIN)/python -c "from manipplan.support.kernel_library import KERNELS; print(*KERNELS)")
 kernels: $(READY)
-	$(BIN)/python manipplan/support/compiling/kernel_library.py
+	$(BIN)/python manipplan/support/kernel_library.py
 	set -e; cd manipplan/csrc; for kernel in $(KERNELS); do \
 	  echo "; $$kernel $$(cat $$kernel.c $$(ls *.h | LC_ALL=C sort) | sha256sum | cut -d' ' -f1)"; \
 	  clang-16 -O2 -fno-unroll-loops -fno-inline-functions -fno-vectorize -fno-slp-vectorize \

@@ -16,7 +16,7 @@ class KernelHook(BuildHookInterface):
         """Build the library, and say that the wheel holds it."""
         if os.environ.get("MANIPPLAN_PURE") == "1":
             return
-        build = runpy.run_path(str(Path(self.root, "manipplan", "support", "compiling", "kernel_library.py")))
+        build = runpy.run_path(str(Path(self.root, "manipplan", "support", "kernel_library.py")))
         try:
             file = build["build_library"]()
         except OSError as error:

@@ -24,7 +24,7 @@ from manipplan.collision.shapes import Box, Capsule, Cylinder, Mesh, Obstacle, P
 from manipplan.constraints.constraint import Constraint, HeldJoints, PositionBox, SymbolicPose, TiltLimit
 from manipplan.cost.integral import path_cost
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.ik.solutions import inverse_kinematics
 from manipplan.jobs import demo
 from manipplan.jobs.carry import carry
@@ -55,7 +55,7 @@ from manipplan.search.sampling import sample_layers
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import PlannerProblem, Seeding
 from manipplan.support.status import Status
-from manipplan.symbolic.pinocchio_casadi import pinocchio_casadi
+from manipplan.symbolic.backends import pinocchio_casadi
 from manipplan.symbolic.task import Task
 from manipplan.timing.retime import retime
 from manipplan.timing.stops import Segment

@@ -1,7 +1,7 @@
 """Classes of what the calls of the package return; a script reads them and seldom makes one."""
 
 from manipplan.collision.path_clearance import PathClearance
-from manipplan.constraints.proof import ConstraintFigure
+from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.crossings import Crossing
 from manipplan.cost.integral import PathCost
 from manipplan.goals.candidates import GoalCandidate
@@ -10,16 +10,15 @@ from manipplan.kinematics.batch import Evaluator
 from manipplan.optimize.certificate import Certificate, LimitApproach
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.deviation import Deviation
-from manipplan.plans.comparison import Comparison, MotionFigures
-from manipplan.plans.report import PathPart, PlanReport, Report, ToolFigure
+from manipplan.plans.report import Comparison, MotionFigures, PathPart, PlanReport, Report, ToolFigure
 from manipplan.plans.result import PartialPlan
 from manipplan.programs.program import Mark
 from manipplan.programs.steps import ProgramStep
-from manipplan.robots.configuration import TakenToLimit
+from manipplan.robots.limits import TakenToLimit
 from manipplan.search.interruptions import Interruptions
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
-from manipplan.symbolic.pinocchio_casadi import PinocchioCasadi
+from manipplan.symbolic.backends import PinocchioCasadi
 from manipplan.timing.constant_speed import SteadySpeed
 from manipplan.timing.verify import LimitUse
 from manipplan.tracking.controller import Rollout, StepReport

@@ -11,7 +11,7 @@ import pytest
 from examples import FEW
 
 import manipplan as mp
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 
 #: Folders of tests that `make test-all` adds, and fixtures whose tests it adds.
 SLOW_FOLDERS, SLOW_FIXTURES = ("docs", "problems", "studies"), ("browser",)

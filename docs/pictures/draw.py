@@ -15,7 +15,7 @@ from matplotlib.patches import Ellipse, FancyArrowPatch, FancyBboxPatch
 
 import manipplan as mp
 from manipplan.cost.crossings import find_crossings
-from manipplan.cost.density import floor_of
+from manipplan.cost.objective import floor_of
 from manipplan.viz.motions import skeleton
 from manipplan.viz.style import ARM, ELLIPSOID, JOINTS, OBSTACLE, OPTIMUM, SEED, STRAIGHT, STYLE, label_powers
 

@@ -19,7 +19,7 @@ from raster import Raster
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.fitting import distances_to
+from manipplan.collision.covers import distances_to
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.tracking.bodies import CapsuleBodies
 from manipplan.viz.shapes import surface_of

@@ -37,7 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     log.setFormatter(_Printable())
     logging.basicConfig(level=logging.WARNING, handlers=[log])
     logging.getLogger("toppra").setLevel(logging.ERROR)
-    logging.getLogger("manipplan.support.compiling.compiler").setLevel(logging.INFO)
+    logging.getLogger("manipplan.support.compiler").setLevel(logging.INFO)
     errors = Console(stderr=True)
     given = sys.argv[1:] if arguments is None else list(arguments)
     if given == ["--version"]:

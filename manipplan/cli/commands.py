@@ -44,8 +44,7 @@ from manipplan.cli.arm import (
 )
 from manipplan.constraints.constraint import constraints_from_yaml
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import goals_from_yaml, pose_of_numbers
+from manipplan.goals.goal import Goal, goals_from_yaml, pose_of_numbers
 from manipplan.jobs.check import check as check_job
 from manipplan.jobs.demo import panda_among_boxes, planar_path
 from manipplan.jobs.follow import follow as follow_job
@@ -63,9 +62,9 @@ from manipplan.robots.catalog import CATALOG, load_robot, refusal
 from manipplan.robots.collections import CHECKOUT, names_of_collections, own_robots, package_of
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import Seeding
+from manipplan.support.data_files import json_ready
 from manipplan.support.errors import InvalidInputError, MissingSourcesError, PlanningError
 from manipplan.support.files import place_for
-from manipplan.support.json_data import json_ready
 from manipplan.support.progress import part
 from manipplan.support.untrusted import terminal_text
 from manipplan.timing.constant_speed import STEADY

@@ -16,10 +16,10 @@ from manipplan.jobs.follow import follow
 from manipplan.jobs.plan import plan
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.robots.catalog import load_robot
-from manipplan.support.compiling.compiler import find_compiler, install_line
-from manipplan.support.compiling.kernel_library import find_library
+from manipplan.support.compiler import find_compiler, install_line
 from manipplan.support.errors import ManipplanError, MissingExtraError
 from manipplan.support.files import cache_folder
+from manipplan.support.kernel_library import find_library
 
 #: A module of each extra.
 EXTRAS = {

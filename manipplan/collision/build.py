@@ -13,17 +13,19 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.pieces import MOST_PIECES
-from manipplan.collision.covers.stored_fits import FitChoice, find_or_choose, find_or_cut, find_or_split
+from manipplan.collision.covers import MOST_PIECES
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Part
+from manipplan.collision.stored_fits import FitChoice, find_or_choose, find_or_cut, find_or_split
 from manipplan.robots.attached import number_names
 from manipplan.robots.description import VISUAL_HINT
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 from manipplan.support.memo import once_per_owner, once_per_pair
+
+log = logging.getLogger("manipplan")
 
 #: How finely a mesh is taken: by its triangles, or by at most this number of convex pieces, tried in turn.
 MESH, FINE = 0, (12, 24, 48)
@@ -130,7 +132,6 @@ SAMPLES = 200
 ALWAYS = 0.95
 #: Maximum share of the samples at which a pair's pieces touch while its meshes do not; above it the meshes are checked.
 COARSE = 0.02
-log = logging.getLogger("manipplan")
 
 
 @once_per_pair

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from manipplan.collision.world import Numbers, world_arrays
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import Kernel, load_kernel
+from manipplan.support.kernels import Kernel, load_kernel, struct
 
 #: As in distances.c.
 FREE, TOUCHING, UNDECIDED = range(3)

@@ -16,10 +16,10 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.kernel import TOUCHING, UNDECIDED, DistanceKernel, kernel_of
-from manipplan.collision.surfaces.shells import find_components, winding_number
+from manipplan.collision.surfaces import find_components, winding_number
 from manipplan.collision.world import core_of, placed_triangles
 from manipplan.paths.joint import JointPath
-from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError

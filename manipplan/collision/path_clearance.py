@@ -39,16 +39,15 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.covers.fitting import enclose
+from manipplan.collision.covers import enclose
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.world import core_of
 from manipplan.paths.joint import JointPath, split
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, instance, number
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.kernels import load_kernel, struct
 from manipplan.support.memo import once_per_owner
 
 #: Maximum number of core points of a body; a body with more is bounded by a primitive around it. As in body_motion.c.

@@ -13,8 +13,7 @@ from manipplan.collision.model import CollisionModel
 from manipplan.paths.joint import Curve
 from manipplan.paths.rounding import FINE, FINE_DISTANCE, on_grid
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel, struct
 
 #: Number of intervals of the grid along the curve. A band around the target is only searched at every SPACING-th place.
 INTERVALS, SPACING = 160, 4
@@ -166,13 +165,7 @@ class DistanceSearch:
         self._measure(curve, brackets, pairs, "found", "next", ~np.isnan(brackets["next"]))
 
     def _measure(
-        self,
-        curve: Curve,
-        brackets: NDArray[np.void],
-        pairs: NDArray[np.int64],
-        name: str,
-        at: str,
-        asked: NDArray[np.bool_],
+        self, curve: Curve, brackets: NDArray[np.void], pairs: NDArray[np.int64], name: str, at: str, asked: NDArray[np.bool_]
     ) -> None:
         """Put the distances at places of the brackets that are asked for, rounded as `near_pairs.c` rounds its own."""
         q = curve(brackets[at][asked], FINE)

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from manipplan.collision.shapes import OBSTACLES, Obstacle, check_obstacles, is_own
 from manipplan.paths.joint import JointPath
 from manipplan.robots.attached import number_names
-from manipplan.robots.formats.urdf_files import UrdfFiles
 from manipplan.robots.robot import Robot
+from manipplan.robots.urdf_files import UrdfFiles
 from manipplan.support.checks import (
     Array,
     ArrayLike,
@@ -85,7 +85,7 @@ class Scene(Pictured):
 
         Raises FileFormatError or InvalidInputError that names the obstacle, the key and what is allowed.
         """
-        from manipplan.support.yaml_files import read_yaml
+        from manipplan.support.data_files import read_yaml
 
         path = existing_file("scene", file)
         data = read_yaml("scene", path)
@@ -111,7 +111,7 @@ class Scene(Pictured):
             FileFormatError: the file is cut off or holds something else; the message names the object and the entry.
             UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
         """
-        from manipplan.collision.formats.moveit import read_planning_scene, read_scene_text
+        from manipplan.collision.scene_files import read_planning_scene, read_scene_text
 
         path, folders = existing_file("file", file), UrdfFiles(packages={} if packages is None else packages).packages
         allowed: list[list[str]] = []
@@ -140,7 +140,7 @@ class Scene(Pictured):
             UnknownNameError: a static geom has a shape that this package does not have, such as an ellipsoid.
             MissingExtraError: MuJoCo is not installed.
         """
-        from manipplan.collision.formats.mujoco_scene import read_static_bodies
+        from manipplan.collision.scene_files import read_static_bodies
 
         return cls(read_static_bodies(existing_file("file", file)))
 

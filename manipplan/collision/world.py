@@ -13,7 +13,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.collision.surfaces.shells import find_components
+from manipplan.collision.surfaces import find_components
 from manipplan.robots.hulls import box_corners
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -204,11 +204,7 @@ def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[An
 
 
 def _trees(
-    tree: Tree,
-    objects: Sequence[pin.GeometryObject],
-    still: Numbers,
-    pairs: Numbers,
-    arrays: Mapping[str, NDArray[Any]],
+    tree: Tree, objects: Sequence[pin.GeometryObject], still: Numbers, pairs: Numbers, arrays: Mapping[str, NDArray[Any]]
 ) -> dict[str, NDArray[Any]]:
     """One tree per surface that is checked, then the tree over all static bodies `still`: its root is `top`, -1 without any."""
     local, radius, closed = arrays["local"], arrays["radius"], arrays["size"][:, 0]

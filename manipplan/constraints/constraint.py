@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 from manipplan.robots.arms import known_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, existing_file, finite_array, number, number_array, pose_matrix
+from manipplan.support.data_files import read_yaml
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.yaml_files import read_yaml
 
 #: Value of a row, negative, up to which it counts as kept [rad or m].
 ROW_TOLERANCE = 1e-6
@@ -54,8 +54,8 @@ class Constraint(ABC):
     width, since searches go through its inside: write an equation as two rows some 1e-3 apart.
 
     Rows of a class of your own hold at samples between which no joint moves by more than 1e-3 rad or m. Those of TiltLimit and
-    PositionBox are proven on the whole motion (`prove` in proof.py); where they are about different tools, those of one tool,
-    and the others are sampled.
+    PositionBox are proven on the whole motion (`prove` in constraint_set.py); where they are about different tools, those of
+    one tool, and the others are sampled.
     """
 
     @property

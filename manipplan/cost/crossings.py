@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from manipplan.cost.density import floor_of, typical_measure
 from manipplan.cost.integral import PathCost, PathIntegral, speeds
+from manipplan.cost.objective import floor_of, typical_measure
 from manipplan.kinematics.factors import SingularitySigns, singularity_signs
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.measures.manipulability import Yoshikawa

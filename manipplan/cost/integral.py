@@ -19,10 +19,9 @@ from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import MOST_PANELS, JointPath
 from manipplan.paths.rounding import gauss_rule
 from manipplan.support.checks import Array, ArrayLike, instance, number, number_array, whole_number
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.kernels import load_kernel, struct
 
 #: Minimum ratio of the smallest eigenvalue of W to the largest.
 DEFINITE = 1e-12

@@ -9,15 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.ik.form import Enumeration
-from manipplan.ik.nearest import Nearest, descend_to_best, stopped_at
-from manipplan.ik.newton import descend, random_near
+from manipplan.ik.newton import Nearest, descend, descend_to_best, random_near, stopped_at
 from manipplan.ik.solutions import distinct
 from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import tool_reach
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.symbolic.task import Task

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.integral import PathIntegral
-from manipplan.goals.pose_goal import PoseGoal
+from manipplan.goals.goal import PoseGoal
 from manipplan.goals.solutions import PoseResidual, beyond_links, nearest, reaching
 from manipplan.ik.newton import descend
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
@@ -98,14 +98,7 @@ def own_arms(robot: Robot) -> Mapping[str, OwnArm]:
 
 
 def solutions(
-    robot: Robot,
-    tool: str,
-    goal: PoseGoal,
-    torsos: Array,
-    start: Array,
-    held: NDArray[np.bool_],
-    *,
-    by_steps: bool = False,
+    robot: Robot, tool: str, goal: PoseGoal, torsos: Array, start: Array, held: NDArray[np.bool_], *, by_steps: bool = False
 ) -> OfTool:
     """The solutions of a tool's own arm with the shared joints as in each of `torsos` (p, n); others as there.
 

@@ -27,7 +27,7 @@ from manipplan.ik.geometry import Screws
 from manipplan.robots.arms import lengths_to, tool_reach
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel
 from manipplan.support.memo import once_per_source
 
 #: Revolute joints whose limits span more full turns than this are enumerated in one turn, like those without limits.

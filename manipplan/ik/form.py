@@ -16,8 +16,8 @@ from manipplan.ik.bridge import SKEW, arrangement, as_bool, as_float64, as_int64
 from manipplan.ik.geometry import EXACT, MEETS, Screws
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, one_of, texts
-from manipplan.support.compiling.declarations import struct
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.kernels import struct
 from manipplan.support.memo import once_per_source
 from manipplan.symbolic.task import Task
 

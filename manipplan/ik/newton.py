@@ -5,24 +5,42 @@ descend: damped steps of joints inside their limits that reduce the error of a g
 Newton and damped steps to the constrained components of a pose; `FreeMotion` gives the free ones.
 
 The intervals in which random starts for a pose lie: prismatic joints near where the others can reach it.
+
+Solutions by Newton steps from random starts, until few are likely to be missing; and the configuration inside the limits that
+comes nearest to a pose.
 """
 
 import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.ik.bridge import as_bool, as_float64, as_int64, bridge, ik_functions, reach_in, slides_of, span, within_reach
+from manipplan.ik.bridge import (
+    as_bool,
+    as_float64,
+    as_int64,
+    bridge,
+    ik_functions,
+    in_turn,
+    reach_in,
+    slides_of,
+    span,
+    within_reach,
+)
 from manipplan.ik.geometry import Screws
 from manipplan.kinematics.kinematics import Kinematics
+from manipplan.paths.deviation import distances_between
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
+from manipplan.support.checks import COINCIDENT, Array
+from manipplan.support.deadline import NEVER, Deadline
+from manipplan.support.display import one_line
+from manipplan.support.kernels import struct
 from manipplan.symbolic.free_motion import FreeMotion
+from manipplan.symbolic.task import Task
 
 
 class MovingArm:
@@ -93,7 +111,7 @@ class MovingArm:
 
 #: Number of steps, first damping of a step, its factors after a good and a bad step, and the largest change of a joint in one
 #: step [rad or m].
-STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
+DESCENT_STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
 #: Size of the error at which no more steps are made [m].
 DONE = 1e-11
 
@@ -110,7 +128,7 @@ def descend(
     rows = np.arange(len(q))
     error, jacobian = error_of(rows, q)
     damping = np.full(len(q), DAMPING)
-    for _ in range(STEPS):
+    for _ in range(DESCENT_STEPS):
         slope = jacobian[rows] * ~held
         step = _compute_damped_step(slope, error[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
@@ -276,3 +294,195 @@ class StartsOfPoses:
 def random_near(robot: Robot, pose: Array, rng: np.random.Generator, count: int, *, whole_pose: bool = True) -> Array:
     """Random configurations (count, n), with slides where a pose (4, 4), or its position alone, may be reached."""
     return Starts.near(robot, pose, whole_pose=whole_pose).random(rng, count)
+
+
+#: Number of random starts per round, and their maximum number in total.
+ROUND = 64
+MOST = 4096
+#: Number of starts without a solution after which the pose counts as unreachable.
+FRUITLESS = 512
+#: Rounds continue until each solution was found SEEN times on average and none less than OFTEN times.
+SEEN, OFTEN = 16, 3
+#: Number of steps of each start, and of further ones where these came so near [m, rad].
+FIRST, PROMISING, STEPS = 20, 0.2, 60
+#: Where nothing is found, starts that came this near [m, rad] get more steps: near a singularity, steps are short.
+NEAR, MORE_STEPS = 1e-2, 500
+#: Error at which a pose is reached [m, rad]. Beyond FAR [m] from the world's origin, where rounding is larger, it grows with
+#: the distance.
+TOLERANCE, FAR = 1e-12, 1e3
+#: The same where nothing reaches a pose any nearer: a limit or the reach of the arm may end just before a rounded pose.
+REACHED = COINCIDENT / 3
+#: Solutions that differ by less than this are the same [rad or m].
+ALIKE = 1e-5
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ArmWithHeldJoints:
+    """An arm with some joints held.
+
+    Attributes:
+        robot, screws: the arm.
+        held: indices of the joints that are held at `values` [rad or m].
+        values: (h,) positions of the held joints.
+    """
+
+    robot: Robot
+    screws: Screws
+    held: tuple[int, ...]
+    values: Array
+
+
+def random_answers(
+    setup: ArmWithHeldJoints, target: Array, places: Starts, rng: np.random.Generator, deadline: Deadline = NEVER
+) -> tuple[Array, float]:
+    """Configurations (k, n) that reach `target` (4, 4), and an estimate of the share that was not found until the deadline.
+
+    The steps begin at random configurations of `places`. The estimate is the Good-Turing one [good1953]: the share of the hits
+    whose solution was found only once.
+    """
+    limits, screws, held = setup.robot.limits, setup.screws, list(setup.held)
+    if ((setup.values < limits.lower[held]) | (setup.values > limits.upper[held])).any():
+        return np.zeros((0, screws.n)), 0.0
+    tolerance = TOLERANCE * max(1.0, float(np.abs(target[:3, 3]).max()) / FAR)
+    moves = np.ones(screws.n, dtype=bool)
+    moves[held] = False
+    found, hits, starts = np.zeros((0, screws.n)), np.zeros(0), 0
+    near = np.zeros((0, screws.n))
+
+    arm = MovingArm(screws, moves)
+
+    def advance(q: Array, steps: int) -> tuple[Array, Array]:
+        return arm.search(q, target, limits.lower, limits.upper, steps=steps, tolerance=tolerance)
+
+    while starts < MOST:
+        within = tolerance
+        if len(found) or starts < FRUITLESS:
+            q = places.random(rng, ROUND)
+            q[:, held] = setup.values
+            q, miss = advance(q, FIRST)
+            further = (miss > tolerance) & (miss < PROMISING)
+            q[further], miss[further] = advance(q[further], STEPS)
+            starts += ROUND
+            near = np.vstack([near, q[(miss > tolerance) & (miss < NEAR)]])
+        elif len(near):
+            q, miss = advance(near[:ROUND], MORE_STEPS)
+            near, within = near[:0], max(tolerance, REACHED)
+        else:
+            break
+        for each in in_turn(setup.robot, q[miss <= within]):
+            same = np.flatnonzero(np.abs(found - each).max(axis=1) < ALIKE)
+            if len(same):
+                hits[same[0]] += 1
+            else:
+                found, hits = np.vstack([found, each]), np.append(hits, 1)
+        if (hits.sum() >= SEEN * max(len(found), 1) and not (hits < OFTEN).any()) or deadline.passed:
+            break
+    missing = float((hits == 1).sum() / hits.sum()) if len(found) else 1.0
+    return found, missing
+
+
+def merged(q: Array, source: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """The first of equal rows of q (k, n) with equal source (k,), ascending: their indices, and how often each was found."""
+    firsts, hits = [np.zeros(0, dtype=np.int64)], [np.zeros(0, dtype=np.int64)]
+    edges = np.flatnonzero(np.diff(source, prepend=-1, append=-1))
+    for begin, end in pairwise(edges.tolist()):
+        some = q[begin:end]
+        same = np.abs(some[:, None] - some).max(axis=2) < ALIKE
+        first = np.flatnonzero(same.argmax(axis=1) == np.arange(len(some)))
+        firsts.append(begin + first)
+        hits.append(same[first].sum(axis=1))
+    return np.concatenate(firsts), np.concatenate(hits)
+
+
+def best_held(robot: Robot, count: int, task: Task) -> tuple[int, ...]:
+    """The joints to hold: those without which the others move the tool best, on average over random postures."""
+    if count == 0:
+        return ()
+    q = np.random.default_rng(0).uniform(*within_reach(robot), (200, robot.n))
+    jacobians = robot.kinematics(task).jacobian(q)
+    rank = robot.n - count
+
+    def mean_volume(held: tuple[int, ...]) -> float:
+        left = np.delete(jacobians, held, axis=2)
+        return float(np.linalg.svd(left, compute_uv=False)[:, :rank].prod(axis=1).mean())
+
+    return max(combinations(range(robot.n), count), key=mean_volume)
+
+
+#: Number of random starts, and of the best ends from which the steps go on.
+STARTS, BEST = 384, 16
+#: Number of restarts, each with the initial damping.
+RESTARTS = 4
+#: Distance from a limit up to which a joint counts as being at it [rad or m].
+AT_LIMIT = 1e-6
+#: Position error above which it is tested whether the pose was given in millimetres [m].
+OTHER_UNIT = 1.0
+
+
+@one_line
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Nearest:
+    """The configuration found that comes nearest to a pose: the norm of distance [m] and angle [rad] is the smallest.
+
+    Attributes:
+        q: (n,) inside the limits [rad or m].
+        position, rotation: distance [m] and angle [rad] beyond what is allowed.
+        stopped: names of the joints that are at a limit there.
+    """
+
+    q: Array
+    position: float
+    rotation: float
+    stopped: tuple[str, ...]
+
+    @property
+    def away(self) -> str:
+        """How far it is away."""
+        return f"{1e3 * self.position:.4g} mm and {np.rad2deg(self.rotation):.3g}° away"
+
+    def __str__(self) -> str:
+        return self.away + (f", with {' and '.join(self.stopped)} at the limit" if self.stopped else "")
+
+
+def millimetres_hint(pose: Array, away: float, away_from: Callable[[Array], float]) -> str:
+    """What explains that a pose (4, 4) is out of reach by `away` [m], if it is within reach in millimetres; or ""."""
+    if away < OTHER_UNIT:
+        return ""
+    scaled = np.array(pose)
+    scaled[:3, 3] /= 1000
+    hint = "; its position is within reach if it is in millimetres: divide it by 1000"
+    return hint if away_from(scaled) < OTHER_UNIT / 1000 else ""
+
+
+def nearest_to(kinematics: Kinematics, free: FreeMotion, pose: Array) -> Nearest:
+    """The configuration nearest to what counts of a pose (4, 4); `kinematics` is of the whole pose."""
+    robot = kinematics.robot
+    starts = random_near(robot, pose, np.random.default_rng(0), STARTS, whole_pose=not free.turns.value)
+
+    def missing(rows: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        return errors_to(kinematics, free, q, np.broadcast_to(pose, (len(rows), 4, 4)))
+
+    q, _ = descend_to_best(robot.limits, missing, starts, np.zeros(robot.n, dtype=np.bool_))
+    position, rotation = distances_between(kinematics.pose(q[None]), pose[None], free)
+    return Nearest(q=q, position=float(position[0]), rotation=float(rotation[0]), stopped=stopped_at(robot, q))
+
+
+def descend_to_best(
+    limits: JointLimits,
+    missing: Callable[[NDArray[np.intp], Array], tuple[Array, Array]],
+    starts: Array,
+    held: NDArray[np.bool_],
+) -> tuple[Array, Array]:
+    """The configuration (n,) that misses least after damped steps from starts (k, n), and what it misses (r,); as `descend`."""
+    q, miss = descend(limits, missing, starts, held)
+    for _ in range(RESTARTS):
+        best = np.argsort((miss**2).sum(axis=1), kind="stable")[:BEST]
+        q, miss = descend(limits, missing, q[best], held)
+    least = int((miss**2).sum(axis=1).argmin())
+    return q[least], miss[least]
+
+
+def stopped_at(robot: Robot, q: Array) -> tuple[str, ...]:
+    """Names of the joints that are at a limit at q (n,)."""
+    limited = np.minimum(q - robot.limits.lower, robot.limits.upper - q) <= AT_LIMIT
+    return tuple(name for name, at in zip(robot.joint_names, limited, strict=True) if at)

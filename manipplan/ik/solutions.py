@@ -17,10 +17,9 @@ from numpy.typing import NDArray
 
 from manipplan.ik.bridge import as_bool, as_float64, as_int64, ik_functions
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, flag, number, pose_matrix, whole_number
+from manipplan.support.checks import COINCIDENT, EXACT, Array, ArrayLike, flag, number, pose_matrix, whole_number
 from manipplan.support.deadline import NEVER, Deadline, work_time
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.tolerances import COINCIDENT, EXACT
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:

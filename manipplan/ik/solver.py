@@ -12,18 +12,38 @@ from numpy.typing import NDArray
 from manipplan.ik.bridge import HeldValues, bridge, in_turn, line, reach_in, slides_of, span, spans_turn, swivels_of
 from manipplan.ik.form import AT_LIMIT, MOST, SWIVEL, ClosedForm, Enumeration, closed_form, held_indices
 from manipplan.ik.geometry import Screws
-from manipplan.ik.newton import MovingArm, Starts, StartsOfPoses, approach, onto_rows, search_rows, window
+from manipplan.ik.newton import (
+    ArmWithHeldJoints,
+    MovingArm,
+    Starts,
+    StartsOfPoses,
+    approach,
+    best_held,
+    merged,
+    onto_rows,
+    random_answers,
+    search_rows,
+    window,
+)
 from manipplan.ik.solutions import Completeness, residuals
-from manipplan.ik.statistical import ArmWithHeldJoints, best_held, merged, random_answers
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.robots.arms import has_few_joints, one_tool
 from manipplan.robots.own_ik import OwnInverseKinematics
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, finite_array, instance, number_array, one_of, random_seed, whole_number
+from manipplan.support.checks import (
+    COINCIDENT,
+    Array,
+    ArrayLike,
+    finite_array,
+    instance,
+    number_array,
+    one_of,
+    random_seed,
+    whole_number,
+)
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_source
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion
 from manipplan.symbolic.task import Task
 

@@ -10,19 +10,19 @@ import numpy as np
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_tuple
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import BETWEEN, Tolerance
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.measure import measure
 from manipplan.plans.report import PathPart, Report
-from manipplan.recordings.read import read_motion
-from manipplan.robots.configuration import taken_to_limits
+from manipplan.recordings.recording import read_motion
+from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, flag, instance, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import interruptible
+from manipplan.support.workers import one_thread
 
 #: Distance from a revolute joint's limits above which positions are not in radians [rad], and from a prismatic joint's above
 #: which they are not in metres, as a multiple of its range.

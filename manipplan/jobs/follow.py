@@ -10,35 +10,32 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.crossings import is_singular
-from manipplan.cost.density import floor_of
 from manipplan.cost.integral import PathIntegral, metric_matrix
-from manipplan.cost.objective import PathObjective, check_measure, idle_hint
-from manipplan.goals.read import read_configuration
+from manipplan.cost.objective import PathObjective, check_measure, floor_of, idle_hint
+from manipplan.goals.goal import read_configuration
 from manipplan.ik.form import closed_form
 from manipplan.jobs.plan import plan
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory, joined
-from manipplan.plans.comparison import VANISHING
 from manipplan.plans.measure import tool_distances
-from manipplan.plans.report import PathPart, PlanReport
+from manipplan.plans.report import VANISHING, PathPart, PlanReport
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.robots.arms import has_few_joints, one_tool
-from manipplan.robots.configuration import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import SPARE_CLEARANCE, choose_positions
 from manipplan.search.max_min import max_min_search
 from manipplan.search.sampling import sample_layers
 from manipplan.search.sweep import check_epsilon
 from manipplan.seeds.seeding import AS_GIVEN, Seeding
-from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, finite_array, flag, instance, number, whole_number
 from manipplan.support.deadline import OutOfTimeError, TimeLimit, until
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part, rising
 from manipplan.support.status import Failure, Status
-from manipplan.support.tolerances import COINCIDENT
+from manipplan.support.workers import one_thread
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, check_corners, check_tool_speed

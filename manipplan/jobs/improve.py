@@ -11,18 +11,17 @@ from manipplan.optimize.result import make_result
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import MotionFigures
+from manipplan.plans.report import MotionFigures
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
 from manipplan.recordings.inside import Tube, best_motion, blocked
-from manipplan.recordings.read import noise_beyond_limits, read_recording
-from manipplan.recordings.smooth import smooth
+from manipplan.recordings.recording import noise_beyond_limits, read_recording, smooth
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import flag, instance, number
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 
 #: Residual of the smooth motion that is small enough, as a share of the tolerance [rad per m or rad].
 ENOUGH = 0.01

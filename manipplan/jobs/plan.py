@@ -12,10 +12,8 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet, check_start
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.candidates import GoalCandidate, find_candidates, rate_candidates
-from manipplan.goals.choice import choose
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import read_configuration, read_goals
+from manipplan.goals.candidates import GoalCandidate, choose, find_candidates, rate_candidates
+from manipplan.goals.goal import Goal, read_configuration, read_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path, shift_goals
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
@@ -23,15 +21,15 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.report import PlanReport, with_errors
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
-from manipplan.robots.configuration import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import TakenToLimit, taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import Deadline
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 from manipplan.timing.retime import check_timing_limits, retime
 
 #: Degrees that are added where a path of the given degree fails, and number of pieces of the cubic B-spline tried after that.

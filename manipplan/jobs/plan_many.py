@@ -32,8 +32,7 @@ from manipplan.constraints.constraint import Constraint
 from manipplan.constraints.constraint_set import ConstraintSet
 from manipplan.cost.integral import metric_matrix
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import read_configuration, read_goals
+from manipplan.goals.goal import Goal, read_configuration, read_goals
 from manipplan.jobs.plan import plan
 from manipplan.measures.measure import Measure
 from manipplan.optimize.optimize import check_options
@@ -45,15 +44,16 @@ from manipplan.robots.robot import Robot
 from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import ArrayLike, flag, instance, number, whole_number
-from manipplan.support.content import code_key, content_key
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import writable_folder
-from manipplan.support.memo import once_per_owner
-from manipplan.support.processes.workers import WorkerLostError, Workers
+from manipplan.support.memo import code_key, content_key, once_per_owner
 from manipplan.support.progress import Progress, as_callback
 from manipplan.support.status import Status
+from manipplan.support.workers import WorkerLostError, Workers
 from manipplan.timing.retime import check_timing_limits
+
+log = logging.getLogger("manipplan")
 
 
 @one_line
@@ -162,7 +162,6 @@ def scene_key(scene: Scene) -> str:
     return content_key([scene.obstacles, own, scene.names, scene.allowed])
 
 
-log = logging.getLogger("manipplan")
 Value = TypeVar("Value")
 
 #: Number of robots and scenes that each thread of a worker keeps, and of pickled ones that the sender keeps.

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.jobs.plan import plan
 from manipplan.optimize.optimize import check_options
 from manipplan.paths.basis import PathShape
@@ -16,15 +16,15 @@ from manipplan.programs.leg_motions import Node, RawMotion, Stop, ToolPathPlanne
 from manipplan.programs.legs import Leg, PartPoses, State, check_parts, needed_by, read_steps
 from manipplan.programs.program import Program
 from manipplan.programs.steps import Attach, Detach, ProgramStep
-from manipplan.robots.configuration import taken_to_limits
+from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, WITHIN_LIMITS, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
 from manipplan.support.deadline import OutOfTimeError, TimeLimit, until, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
+from manipplan.support.workers import one_thread
 from manipplan.timing.retime import check_timing_limits
 
 

@@ -32,7 +32,7 @@ from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.memo import once_per_source
 from manipplan.symbolic.chain import SymbolicChain
-from manipplan.symbolic.derivatives import determinant
+from manipplan.symbolic.motion import determinant
 from manipplan.symbolic.task import Task
 
 #: Axes count as parallel, or as meeting in a point, within this [rad, or share of the arm's size]: descriptions round them.
@@ -91,10 +91,7 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
         return ()
     return tuple(
         DeterminantFactor(
-            name=name,
-            joint=_only_joint(robot, value, samples),
-            usual=float(np.abs(values[name]).mean()),
-            value=value,
+            name=name, joint=_only_joint(robot, value, samples), usual=float(np.abs(values[name]).mean()), value=value
         )
         for name, value in found.items()
     )

@@ -31,8 +31,7 @@ from manipplan.symbolic.backends import chain_of
 from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.machine_code import as_asked, check_compiled, compiled, do_without, wants_machine_code
-from manipplan.symbolic.motion import LedMotion, Motion
-from manipplan.symbolic.relative import Seen, task_rows
+from manipplan.symbolic.motion import LedMotion, Motion, Seen, task_rows
 from manipplan.symbolic.spanned import usual_task
 from manipplan.symbolic.task import Task
 
@@ -434,12 +433,7 @@ class Kinematics:
 
 
 def kinematics_of(
-    robot: "Robot",
-    task: Task | None,
-    measure: Measure | str | None,
-    backend: str,
-    compiled: bool | str,
-    threads: int | None,
+    robot: "Robot", task: Task | None, measure: Measure | str | None, backend: str, compiled: bool | str, threads: int | None
 ) -> Kinematics:
     """The kinematics of a robot, built once for each set of arguments; see `Robot.kinematics`."""
     task = instance("task", task if task is not None else robot.default_task, Task)

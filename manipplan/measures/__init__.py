@@ -6,13 +6,20 @@ In: the symbolic posture of an arm. Out: the value of a measure with its derivat
 
 from manipplan.measures.dynamic import Asada, DynamicManipulability
 from manipplan.measures.ellipsoid import Ellipsoid, dynamic_ellipsoid, force_ellipsoid, velocity_ellipsoid
-from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.manipulability import Constant, FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.manipulability import (
+    Constant,
+    ForceTransmission,
+    FrobeniusNorm,
+    Isotropy,
+    JointLimitPenalised,
+    LogDet,
+    VelocityTransmission,
+    Yoshikawa,
+)
 from manipplan.measures.measure import Measure, Posture
 from manipplan.measures.names import available_measures
 from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
-from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 
 __all__ = [
     "Asada",

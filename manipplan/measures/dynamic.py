@@ -9,8 +9,7 @@ from manipplan.measures.manipulability import REGULARISATION, yoshikawa
 from manipplan.measures.measure import Measure, Posture, product_unit
 from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
 from manipplan.support.checks import number
-from manipplan.symbolic.derivatives import manipulability_gradient, manipulability_hessian
-from manipplan.symbolic.motion import MatrixMotion
+from manipplan.symbolic.motion import MatrixMotion, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
 

@@ -1,15 +1,20 @@
-"""Measures that are smooth functions of J Jᵀ: Yoshikawa's manipulability, its logarithm, the Frobenius norm, isotropy."""
+"""Measures that are smooth functions of J Jᵀ: Yoshikawa's manipulability, its logarithm, the Frobenius norm, isotropy.
 
-from dataclasses import dataclass
+Transmission of velocity and force from the joints to the tool along one direction [chiu1988].
+
+A measure that also falls towards the position limits of the joints.
+"""
+
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import casadi as ca
 import numpy as np
 
 from manipplan.measures.measure import JacobianMeasure, Measure, Posture, row_unit
-from manipplan.support.checks import ArrayLike, number, number_array, positive_array
+from manipplan.support.checks import ArrayLike, finite_array, number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
+from manipplan.symbolic.motion import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
 #: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
@@ -195,3 +200,138 @@ def yoshikawa(jacobian: ca.SX) -> ca.SX:
         for j in range(i + 1, len(rows)):
             rows[j] -= ca.dot(row, rows[j]) * inverse * row
     return ca.sqrt(square)
+
+
+#: Tolerance on the length of a direction that is already normalised.
+UNIT = 1e-15
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Transmission(JacobianMeasure):
+    direction: ArrayLike
+
+    def __post_init__(self) -> None:
+        direction = finite_array("direction", self.direction, (None,))
+        size = number("the length of direction", float(np.linalg.norm(direction)), above=1e-9)
+        unit = direction if abs(size - 1.0) <= UNIT else direction / size  # dividing again would change the last digit
+        object.__setattr__(self, "direction", tuple(unit.tolist()))
+
+    def check(self, m: int, n: int) -> None:
+        super().check(m, n)
+        if np.size(self.direction) != m:
+            raise InvalidInputError("direction", self.direction, f"{m} numbers, one per task row")
+
+    @property
+    def _unit_vector(self) -> ca.DM:
+        return ca.DM(np.array(self.direction))
+
+
+@dataclass(frozen=True, kw_only=True)
+class VelocityTransmission(_Transmission):
+    """β = (uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2): the largest speed along u alone for joint speeds of norm 1.
+
+    It is the distance from the centre to the surface of the velocity ellipsoid along u.
+
+    Attributes:
+        direction: u (m,) in task rows, of any length > 0.
+        regularisation: ρ > 0, in the unit of the Jacobian's rows; where no motion along u is possible, β falls to ρ, not to 0.
+    """
+
+    regularisation: float = REGULARISATION
+    name: ClassVar[str] = "velocity_transmission"
+    formula: ClassVar[str] = "(uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2)"
+    source: ClassVar[str] = "chiu1988"
+    needs_full_rank: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        number("regularisation", self.regularisation, above=0.0)
+
+    def unit(self, task: Task) -> str:
+        return row_unit(task)
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        lower = Factor.of(jacobian, self.regularisation).L
+        return 1 / ca.norm_2(ca.solve(lower, self._unit_vector))
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForceTransmission(_Transmission):
+    """α = (uᵀ J Jᵀ u)^(-1/2): the largest force along u that joint torques of norm 1 can hold; inf where it needs no torque.
+
+    It is the distance from the centre to the surface of the force ellipsoid along u.
+
+    Attributes:
+        direction: u (m,) in task rows, of any length > 0.
+    """
+
+    name: ClassVar[str] = "force_transmission"
+    formula: ClassVar[str] = "(uᵀ J Jᵀ u)^(-1/2)"
+    source: ClassVar[str] = "chiu1988"
+    needs_full_rank: ClassVar[bool] = False
+    larger_is_better: ClassVar[bool] = False
+
+    def unit(self, task: Task) -> str:
+        return {"m": "1/m"}.get(row_unit(task), row_unit(task))
+
+    def of(self, jacobian: ca.SX) -> ca.SX:
+        return 1 / ca.norm_2(jacobian.T @ self._unit_vector)
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointLimitPenalised(Measure):
+    """A measure times P(q) = 1 - exp(-k Π_i 4 (q_i - l_i)(u_i - q_i)/(u_i - l_i)²), which is 0 at a position limit.
+
+    Joints without limits are left out. The source does not have the factors 4, which here scale the product to 0 ... 1.
+
+    Attributes:
+        measure: the measure that is penalised.
+        k: steepness of P; P = 1 - exp(-k) in the middle of all joint ranges.
+    """
+
+    measure: Measure = field(default_factory=Yoshikawa)
+    k: float = 10.0
+    name: ClassVar[str] = "joint_limit_penalised"
+    formula: ClassVar[str] = "measure · (1 - exp(-k Π 4 (q - l)(u - q)/(u - l)²))"
+    source: ClassVar[str] = "tsai1986"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.measure, Measure):
+            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
+        if not self.measure.larger_is_better:
+            raise InvalidInputError("measure", self.measure.name, "a measure that is at least 0 and better when larger")
+        number("k", self.k, above=0.0)
+
+    @property
+    def over_tools(self) -> bool:  # type: ignore[override]  # that of the measure inside
+        return self.measure.over_tools
+
+    def of_one_tool(self) -> Measure:
+        return replace(self, measure=self.measure.of_one_tool())
+
+    def check(self, m: int, n: int) -> None:
+        self.measure.check(m, n)
+
+    def unit(self, task: Task) -> str:
+        return self.measure.unit(task)
+
+    def value(self, posture: Posture) -> ca.SX:
+        return self.measure.value(posture) * self._penalty(posture)
+
+    def gradient(self, posture: Posture) -> ca.SX:
+        penalty = self._penalty(posture)
+        slope = ca.gradient(penalty, posture.q)
+        return penalty * self.measure.gradient(posture) + self.measure.value(posture) * slope
+
+    def hessian(self, posture: Posture) -> ca.SX:
+        penalty = self._penalty(posture)
+        bend, slope = ca.hessian(penalty, posture.q)
+        both = self.measure.gradient(posture) @ slope.T
+        return penalty * self.measure.hessian(posture) + both + both.T + self.measure.value(posture) * bend
+
+    def _penalty(self, posture: Posture) -> ca.SX:
+        product = ca.SX(1.0)
+        for i in np.flatnonzero(np.isfinite(posture.lower) & np.isfinite(posture.upper)):
+            low, high, q = float(posture.lower[i]), float(posture.upper[i]), posture.q[int(i)]
+            product *= ca.fmax(4 * (q - low) * (high - q) / (high - low) ** 2, 0.0)
+        return 1 - ca.exp(-self.k * product)

@@ -9,12 +9,19 @@ from pathlib import Path
 from typing import Any
 
 from manipplan.measures.dynamic import Asada, DynamicManipulability
-from manipplan.measures.limited import JointLimitPenalised
-from manipplan.measures.manipulability import Constant, FrobeniusNorm, Isotropy, LogDet, Yoshikawa
+from manipplan.measures.manipulability import (
+    Constant,
+    ForceTransmission,
+    FrobeniusNorm,
+    Isotropy,
+    JointLimitPenalised,
+    LogDet,
+    VelocityTransmission,
+    Yoshikawa,
+)
 from manipplan.measures.measure import Measure
 from manipplan.measures.over_tools import OverTools
 from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
-from manipplan.measures.transmission import ForceTransmission, VelocityTransmission
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 MEASURES: dict[str, type[Measure]] = {

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from manipplan.collision.model import CollisionModel
-from manipplan.constraints.proof import ConstraintFigure
+from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.crossings import Crossing, describe
 from manipplan.measures.manipulability import Constant
 from manipplan.optimize.descent import DescentProgram

@@ -38,6 +38,8 @@ from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.progress import interruptible
 
+log = logging.getLogger("manipplan")
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DescentProgram:
@@ -200,23 +202,13 @@ def _daqp(hessian: Array, gradient: Array, jacobian: Array, least: Array, low: A
     sense = np.zeros(len(lower), dtype=np.int32)
     for tolerance in QP_TOLERANCES:
         x, _, flag, info = daqp.solve(
-            hessian,
-            gradient,
-            jacobian,
-            upper,
-            lower,
-            sense,
-            primal_tol=tolerance,
-            dual_tol=tolerance,
-            iter_limit=QP_STEPS,
+            hessian, gradient, jacobian, upper, lower, sense, primal_tol=tolerance, dual_tol=tolerance, iter_limit=QP_STEPS
         )
         if flag > 0:
             multipliers = np.maximum(-np.asarray(info["lam"])[len(gradient) :], 0.0)
             return QuadraticStep(p=np.asarray(x), slack=0.0, multipliers=multipliers)
     return None
 
-
-log = logging.getLogger("manipplan")
 
 #: Maximum number of steps with collision checks, and without them, where a step takes a tenth of the time.
 STEPS, FREE_STEPS = 100, 300

@@ -13,8 +13,7 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel, NearPairs
 from manipplan.collision.path_clearance import PathClearance, path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import ConstraintProof, prove
+from manipplan.constraints.constraint_set import ConstraintProof, ConstraintSet, prove
 from manipplan.cost.crossings import NO_COST, find_crossings, is_beside_singular_end, runs_along
 from manipplan.cost.integral import PathCost
 from manipplan.optimize import clearance as near

@@ -25,7 +25,7 @@ from manipplan.optimize.problem import TIE, PathProblem, check_initial, initial_
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import PathShape
 from manipplan.paths.joint import JointPath
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import check_apart
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding, random_path

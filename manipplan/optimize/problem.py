@@ -8,13 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.collision.covers.coarse import coarse_scene, without_pieces_at
+from manipplan.collision.coarse import coarse_scene, without_pieces_at
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import figures, prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, is_singular, least_crossings
 from manipplan.cost.integral import ACCURACY, PathIntegral
 from manipplan.cost.objective import PathObjective
@@ -25,8 +24,7 @@ from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, find_basis
 from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
-from manipplan.paths.trajectory import Trajectory
-from manipplan.paths.turns import unwrapped
+from manipplan.paths.trajectory import Trajectory, unwrapped
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding, random_path
@@ -35,9 +33,9 @@ from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.memo import once_per_owner
-from manipplan.support.processes.one_thread import one_thread
 from manipplan.support.progress import interruptible
 from manipplan.support.status import Status
+from manipplan.support.workers import one_thread
 
 log = logging.getLogger("manipplan")
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.cost.density import energy_density, length_density
 from manipplan.cost.integral import PathIntegral, gauss
+from manipplan.cost.objective import energy_density, length_density
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.optimize.descent import DescentProgram, descend
 from manipplan.optimize.rows import ClearanceSearch, ConstraintSearch, FixedRows, LimitRows

@@ -6,18 +6,12 @@ import numpy as np
 
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import figures, prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.measures.manipulability import Yoshikawa
 from manipplan.measures.measure import Measure
-from manipplan.optimize.certificate import (
-    Certificate,
-    Optimality,
-    _clearance,
-    limit_approaches,
-)
+from manipplan.optimize.certificate import Certificate, Optimality, _clearance, limit_approaches
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line

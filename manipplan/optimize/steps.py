@@ -17,8 +17,7 @@ from manipplan.paths.basis import Basis
 from manipplan.paths.joint import Curve, JointPath
 from manipplan.paths.rounding import product
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import signatures
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.kernels import load_kernel, signatures
 from manipplan.symbolic.machine_code import BatchFunction, CodedFunctions
 
 

@@ -25,9 +25,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.paths.tables import Table
+from manipplan.paths.export import Table
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import (
+    COINCIDENT,
     Array,
     ArrayLike,
     existing_file,
@@ -41,7 +42,6 @@ from manipplan.support.checks import (
 )
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 
 #: Distance from the polygon that counts as near, as a share of the longest of a piece and its two neighbours.
 NEAR = 1 / 8

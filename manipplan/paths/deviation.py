@@ -149,13 +149,7 @@ def _room(sizes: Array) -> Array:
 
 
 def _beyond_region(
-    line: Array,
-    poses: Array,
-    free: FreeMotion,
-    tolerance: Tolerance | None,
-    *,
-    widen: bool = False,
-    is_reached: bool = False,
+    line: Array, poses: Array, free: FreeMotion, tolerance: Tolerance | None, *, widen: bool = False, is_reached: bool = False
 ) -> tuple[Array, Array]:
     """How far poses (k, 4, 4) are outside the regions about the pieces between poses of a line (m, 4, 4): [m] and [rad], (k,).
 
@@ -311,12 +305,7 @@ def _beyond_pieces(
 
 
 def distances_from(
-    line: Array,
-    poses: Array,
-    free: FreeMotion = NOTHING,
-    tolerance: Tolerance | None = None,
-    *,
-    is_reached: bool = False,
+    line: Array, poses: Array, free: FreeMotion = NOTHING, tolerance: Tolerance | None = None, *, is_reached: bool = False
 ) -> tuple[Array, Array]:
     """Distances [m] and angles [rad], (k,) each, of poses (k, 4, 4) from the pieces between the poses of a line (m, 4, 4).
 
@@ -457,10 +446,7 @@ def _largest(position: Array, rotation: Array) -> Deviation:
     worst, turned = int(position.argmax()), int(rotation.argmax())
     last = max(len(position) - 1, 1)
     return Deviation(
-        position=float(position[worst]),
-        position_at=worst / last,
-        rotation=float(rotation[turned]),
-        rotation_at=turned / last,
+        position=float(position[worst]), position_at=worst / last, rotation=float(rotation[turned]), rotation_at=turned / last
     )
 
 

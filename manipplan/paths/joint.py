@@ -16,12 +16,20 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
 from manipplan.paths.tolerance import distinct
-from manipplan.support.checks import Array, ArrayLike, finite_array, flag, number, number_array, one_of, whole_number
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.checks import (
+    COINCIDENT,
+    Array,
+    ArrayLike,
+    finite_array,
+    flag,
+    number,
+    number_array,
+    one_of,
+    whole_number,
+)
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
+from manipplan.support.kernels import load_kernel, struct
 
 #: Curves of a higher degree are evaluated by NumPy; as in curves.c.
 MOST_DEGREE = 30
@@ -178,8 +186,7 @@ class JointPath:
         if not increasing or breaks[0] != 0 or breaks[-1] != 1:
             raise InvalidInputError("s", breaks, f"{len(points)} increasing numbers from 0 to 1, one per row of q")
         own = distinct(
-            len(breaks),
-            lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(breaks[i] - breaks[j])),
+            len(breaks), lambda i, j: np.maximum(np.linalg.norm(points[i] - points[j], axis=1), np.abs(breaks[i] - breaks[j]))
         )
         breaks, points = breaks[own], points[own]
         drift = points[-1] - points[0] if closed else np.zeros(points.shape[1])

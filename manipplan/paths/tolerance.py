@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.support.checks import Array, number
+from manipplan.support.checks import COINCIDENT, Array, number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.task import Task
 
 

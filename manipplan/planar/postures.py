@@ -175,11 +175,7 @@ class PostureSet:
 
 
 def stationary_postures(
-    arm: PlanarArm,
-    *,
-    radius: float | None = None,
-    lower: ArrayLike | None = None,
-    upper: ArrayLike | None = None,
+    arm: PlanarArm, *, radius: float | None = None, lower: ArrayLike | None = None, upper: ArrayLike | None = None
 ) -> PostureSet:
     """All allowed postures at which μ is stationary; the optimal ones are `.best`.
 

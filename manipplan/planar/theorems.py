@@ -251,8 +251,5 @@ def optimal_lengths(n: int, *, total: float = 1.0, least: float = 0.1, starts: i
     lengths, q = unpacked(best[1])
     q = q - 2 * np.pi * np.round(q / (2 * np.pi))
     return Proportions(
-        lengths=lengths,
-        q=q,
-        manipulability=float(manipulability(PlanarArm(lengths), q)),
-        bound=manipulability_bound(n, total),
+        lengths=lengths, q=q, manipulability=float(manipulability(PlanarArm(lengths), q)), bound=manipulability_bound(n, total)
     )

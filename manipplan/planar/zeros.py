@@ -224,10 +224,7 @@ class _System:
             cosine=cosine,
             sine=sine,
             bends=np.einsum("mi,mj,ml->ijl", size, k, k),
-            rounding=(
-                np.einsum("mi,m->i", size, share),
-                np.einsum("mi,mj,m->ij", size, k, share),
-            ),
+            rounding=(np.einsum("mi,m->i", size, share), np.einsum("mi,mj,m->ij", size, k, share)),
         )
 
     @property

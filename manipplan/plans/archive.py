@@ -40,10 +40,10 @@ from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
-from manipplan.support.content import code_key
+from manipplan.support.data_files import from_json, json_ready, pack_array, read_array, read_json, unpack_array
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
 from manipplan.support.files import absolute_and_relative, finish, found_again, write_text
-from manipplan.support.json_data import from_json, json_ready, pack_array, read_array, read_json, unpack_array
+from manipplan.support.memo import code_key
 from manipplan.support.status import Status
 from manipplan.symbolic.task import Task
 
@@ -367,12 +367,8 @@ def _path_result(
         path=joints,
         # a seed that is the path itself remains the same object, by which pictures know that there is only one path
         seed=joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath),
-        g=float(numbers["g"]),
-        length=float(numbers["length"]),
-        min_manipulability=float(numbers["min_manipulability"]),
-        min_at=float(numbers["min_at"]),
-        power=float(data["power"]),
-        floor=float(data["floor"]),
+        **{name: float(numbers[name]) for name in ("g", "length", "min_manipulability", "min_at", "missing")},
+        **{name: float(data[name]) for name in ("power", "floor")},
         task=from_json(data["task"], Task),
         measure=restore_measure(path, data["measure"], measure),
         metric=_maybe(data["metric"], read_array),
@@ -381,7 +377,6 @@ def _path_result(
         status=Status[numbers["status"]],
         certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
         first_paths=int(numbers["first_paths"]),
-        missing=float(numbers["missing"]),
     )
 
 

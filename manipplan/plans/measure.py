@@ -11,8 +11,7 @@ import numpy as np
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint import ROW_TOLERANCE, Constraint
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import figures, prove
+from manipplan.constraints.constraint_set import ConstraintSet, figures, prove
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, with_shares
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import idle_hint
@@ -23,13 +22,11 @@ from manipplan.paths.deviation import Deviation, beyond_polygon, deviations, dis
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import VANISHING
-from manipplan.plans.report import UNCOUNTED, PathPart, PlanReport, Report, first_path, tool_figures
+from manipplan.plans.report import UNCOUNTED, VANISHING, PathPart, PlanReport, Report, first_path, tool_figures
 from manipplan.robots.robot import Robot
 from manipplan.seeds.task import CHECK_STEP
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.status import ALONG, Status
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
@@ -214,14 +211,7 @@ def measure_plan(
     integral = PathIntegral(kinematics=kinematics, power=result.power, floor=result.floor, metric=result.metric)
     start = result.path.start
     found = measure(
-        trajectory,
-        model,
-        integral,
-        start=start,
-        goal=goal,
-        constraints=constraints,
-        clearance=clearance,
-        torque=torque,
+        trajectory, model, integral, start=start, goal=goal, constraints=constraints, clearance=clearance, torque=torque
     )
     first, last = trajectory.q[0], trajectory.q[-1]
     line = JointPath.line(first, last) if np.linalg.norm(last - first) >= COINCIDENT else None

@@ -15,10 +15,9 @@ from manipplan.paths.deviation import Deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import Comparison
 from manipplan.plans.measure import measure_plan
-from manipplan.plans.report import PathPart, PlanReport
-from manipplan.robots.configuration import TakenToLimit
+from manipplan.plans.report import Comparison, PathPart, PlanReport
+from manipplan.robots.limits import TakenToLimit
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement

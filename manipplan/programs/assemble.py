@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.constraints.constraint import ROW_TOLERANCE
-from manipplan.constraints.proof import ConstraintFigure, figures, prove
+from manipplan.constraints.constraint_set import ConstraintFigure, figures, prove
 from manipplan.cost.crossings import is_singular
 from manipplan.cost.objective import PathObjective
 from manipplan.optimize.result import make_result
@@ -350,11 +350,7 @@ def _constraint_figures(
 
 
 def _off_paths(
-    group: list[RawMotion],
-    blends: list[Blend | None],
-    own: list[tuple[float, float]],
-    trajectory: Trajectory,
-    path: JointPath,
+    group: list[RawMotion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
 ) -> list[str]:
     """Which motions leave their paths of the tool, but for their blends: in order as planned, and over their time."""
     faults = []
@@ -378,11 +374,7 @@ def _off_paths(
 
 
 def _off_hulls(
-    group: list[RawMotion],
-    blends: list[Blend | None],
-    own: list[tuple[float, float]],
-    trajectory: Trajectory,
-    path: JointPath,
+    group: list[RawMotion], blends: list[Blend | None], own: list[tuple[float, float]], trajectory: Trajectory, path: JointPath
 ) -> list[str]:
     """At which blends the tool leaves the convex hull of the pieces that the blend replaces."""
     faults = []

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from manipplan.collision.path_clearance import path_clearance
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.joint import JointPath, bernstein, cut, raised
 from manipplan.programs.leg_motions import RawMotion

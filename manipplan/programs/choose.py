@@ -13,19 +13,18 @@ from itertools import pairwise
 import numpy as np
 
 from manipplan.goals.candidates import straight_lines
-from manipplan.goals.read import Target
+from manipplan.goals.goal import Target
 from manipplan.goals.solutions import nearest
 from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan
 from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotion, ToolPathPlanners, motion_of_leg
 from manipplan.programs.legs import Leg, State, rounded
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import OutOfTimeError, work_time
 from manipplan.support.progress import Progress
 from manipplan.support.status import Failure
-from manipplan.support.tolerances import COINCIDENT
 
 #: Gain in the minimum manipulability below which another program is not tried; bounds that differ by less count as equal.
 GAIN = 0.01

@@ -12,7 +12,7 @@ import numpy as np
 
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import find_candidates
-from manipplan.goals.read import Target
+from manipplan.goals.goal import Target
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance, with_defaults
@@ -295,12 +295,7 @@ class Node:
 
 
 def nodes_of(
-    leg: Leg,
-    state: State,
-    start: Array,
-    planners: ToolPathPlanners,
-    part_poses: Sequence[PartPoses],
-    needed: set[str],
+    leg: Leg, state: State, start: Array, planners: ToolPathPlanners, part_poses: Sequence[PartPoses], needed: set[str]
 ) -> list[Node]:
     """The nodes of a leg, those with the largest bound first.
 

@@ -18,8 +18,7 @@ from manipplan.collision.model import apart_text
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.goals.pose_goal import PoseGoal
-from manipplan.goals.read import Target, read_goals
+from manipplan.goals.goal import PoseGoal, Target, read_goals
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import with_defaults
 from manipplan.programs.steps import Attach, Detach, MoveAlong, MoveTo, ProgramStep, Wait
@@ -27,9 +26,8 @@ from manipplan.robots.arms import carriers, known_tool, one_tool
 from manipplan.robots.attached import Solid, check_in_hand
 from manipplan.robots.model_tree import frame_pose
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.timing.constant_speed import check_corners, check_tool_speed
 from manipplan.tool_path.transit import moved_by

@@ -27,10 +27,10 @@ from manipplan.plans.report import shown
 from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
+from manipplan.support.data_files import from_json, json_ready
 from manipplan.support.display import Pictured, one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
 from manipplan.support.files import finish, replacing, write_text
-from manipplan.support.json_data import from_json, json_ready
 from manipplan.timing.constant_speed import SteadySpeed
 
 if TYPE_CHECKING:

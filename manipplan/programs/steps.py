@@ -12,16 +12,15 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.constraints.constraint import Constraint, constraint_of_entry, constraint_tuple
-from manipplan.goals.pose_goal import Goal
-from manipplan.goals.read import goal_of_entry
+from manipplan.goals.goal import Goal, goal_of_entry
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.robots.attached import Solid
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import ArrayLike, existing_file, finite_array, instance, number, whole_number
+from manipplan.support.data_files import read_yaml
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.yaml_files import read_yaml
 from manipplan.symbolic.task import Task
 from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY
 

@@ -26,9 +26,9 @@ from manipplan.optimize.clearance import (
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
+from manipplan.plans.report import VANISHING, Comparison, MotionFigures, deviation_between, held, pose_distances
 from manipplan.recordings.program import TubeProgram, Weights
-from manipplan.recordings.smooth import Smooth
+from manipplan.recordings.recording import Smooth
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, work_time

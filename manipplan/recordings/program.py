@@ -5,7 +5,7 @@ Minimises
     energy · ∫ ‖q'‖_W² / (m² + ε²)^p du  +  room · ∫ 1 / (m² + ε²)^p du  +  jerk · ∫ ‖d³q/du³‖² du  +  time · τ
 
 over the control points c (size, n) and τ, the duration as a multiple of a given one. The first integral is the energy of g (see
-`manipplan.cost.density`), the second raises m at all times, also where the arm hardly moves. They and the tube are taken at
+`manipplan.cost.objective`), the second raises m at all times, also where the arm hardly moves. They and the tube are taken at
 both ends and in the middle of each piece. Control points of the first, second and third derivative bound velocity, acceleration
 and jerk at all times. First and second derivatives are exact. Each control point has its own τ, equal to the next one, which
 keeps all matrices banded.
@@ -18,10 +18,10 @@ from functools import cached_property, partial
 import casadi as ca
 import numpy as np
 
-from manipplan.cost.density import energy_density, hessian_of
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import energy_density, hessian_of
 from manipplan.optimize.clearance import ClearanceRows, row_functions
-from manipplan.recordings.smooth import Ends, SplineBasis
+from manipplan.recordings.recording import Ends, SplineBasis
 from manipplan.robots.limits import JointLimits
 from manipplan.search.program import pose_error
 from manipplan.support.checks import Array

@@ -8,8 +8,8 @@ import coal
 import numpy as np
 import pinocchio as pin
 
+from manipplan.robots.description import largest_size
 from manipplan.robots.model_tree import frame_index
-from manipplan.robots.sizes import largest_size
 from manipplan.support.checks import Array, distinct_names
 from manipplan.support.errors import InvalidInputError, UnknownNameError
 

@@ -1,20 +1,23 @@
-"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
+"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file.
+
+Limits that manufacturers publish for arms that are recognised by the names of their joints.
+"""
 
 import difflib
 import importlib
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib.metadata import EntryPoint
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import coal
 import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.collections import ENDING, GROUP, MENAGERIE, own_robots, package_of, robot_file
-from manipplan.robots.data_sheets import with_published_limits
 from manipplan.robots.description import RobotSource
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import MOST_ACTIVE, frame_index
@@ -23,6 +26,63 @@ from manipplan.support.checks import ArrayLike, number, number_array
 from manipplan.support.errors import InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 
 log = logging.getLogger("manipplan")
+
+#: Limits that hold together: a velocity holds on its range of positions.
+RANGE = ("lower", "upper", "velocity")
+
+
+@dataclass(frozen=True, kw_only=True)
+class DataSheet:
+    """Published limits of one arm.
+
+    Attributes:
+        joints: names of its joints in the maker's description.
+        limits: limits in SI units, by their names in JointLimits.
+        source: where they are published.
+    """
+
+    joints: tuple[str, ...]
+    limits: Mapping[str, tuple[float, ...]]
+    source: str
+
+
+PANDA = DataSheet(
+    joints=tuple(f"panda_joint{k}" for k in range(1, 8)),
+    limits={
+        "acceleration": (15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0),
+        "jerk": (7500.0, 3750.0, 5000.0, 6250.0, 7500.0, 10000.0, 10000.0),
+    },
+    source="Franka Emika control interface, robot and interface specifications",
+)
+#: The FR3's velocity limits depend on the position and fall to zero at the position limits. These are the constants that its
+#: maker publishes for planners, with the narrower range of positions on which they hold; `paths.controllers.franka` has the
+#: whole rule.
+FR3 = DataSheet(
+    joints=tuple(f"fr3_joint{k}" for k in range(1, 8)),
+    limits={
+        "lower": (-2.3093, -1.5133, -2.4937, -2.7478, -2.4800, 0.8521, -2.6895),
+        "upper": (2.3093, 1.5133, 2.4937, -0.4461, 2.4800, 4.2094, 2.6895),
+        "velocity": (2.0, 1.0, 1.5, 1.25, 3.0, 1.5, 3.0),
+        "acceleration": (10.0,) * 7,
+        "jerk": (5000.0,) * 7,
+    },
+    source="Franka Robotics control interface, robot limits of the FR3: constant velocities on a narrower range of positions",
+)
+SHEETS = (PANDA, FR3)
+
+
+def with_published_limits(robot: Robot, given: Collection[str]) -> Robot:
+    """The robot with the limits of its data sheet, if there is one, but for the kinds in `given`.
+
+    Where one of lower, upper and velocity is given, the sheet's other two are left out as well: they hold together.
+    """
+    sheet = next((each for each in SHEETS if each.joints == robot.joint_names), None)
+    if sheet is None:
+        return robot
+    left_out = {*given, *(RANGE if set(RANGE) & set(given) else ())}
+    limits: dict[str, Any] = {kind: value for kind, value in sheet.limits.items() if kind not in left_out}
+    return robot.with_limits(source=sheet.source, **limits) if limits else robot
+
 
 #: Endings of the files that hold a robot.
 FILES = (".urdf", ".xacro", ".xml", ".mjcf")
@@ -55,7 +115,7 @@ class CatalogEntry:
     data_sheet: str = ""
 
 
-# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in data_sheets);
+# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in SHEETS);
 # otherwise the default of JointLimits applies.
 _PANDA = CatalogEntry(
     folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", joints=7, ik="spherical"
@@ -159,10 +219,7 @@ _CENTAURO = CatalogEntry(
     ik="spherical",
 )
 _TIAGO_PRO = CatalogEntry(
-    folder="tiago_pro_description",
-    urdf="robots/tiago_pro.urdf",
-    tool=("arm_left_tool_link", "arm_right_tool_link"),
-    joints=15,
+    folder="tiago_pro_description", urdf="robots/tiago_pro.urdf", tool=("arm_left_tool_link", "arm_right_tool_link"), joints=15
 )
 _TIAGO_ARM = (0.2, -0.6, 1.5, 1.6, -1.57, 0.2, 0.0)  # mirror images have the same values on both sides
 
@@ -191,10 +248,7 @@ CATALOG: Mapping[str, CatalogEntry] = {
     ),
     "kinova": _KINOVA,
     "anymal_kinova": replace(
-        _KINOVA,
-        folder="anymal_b_simple_description",
-        urdf="robots/anymal-kinova.urdf",
-        srdf="srdf/anymal-kinova.srdf",
+        _KINOVA, folder="anymal_b_simple_description", urdf="robots/anymal-kinova.urdf", srdf="srdf/anymal-kinova.srdf"
     ),
     "z1": _Z1,
     "b1_z1": replace(_Z1, folder="b1_description", urdf="urdf/b1-z1.urdf", srdf="srdf/b1-z1.srdf"),

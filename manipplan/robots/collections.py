@@ -17,6 +17,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from manipplan.support import commands
 from manipplan.support.errors import (
     FileFormatError,
     InvalidInputError,
@@ -24,7 +25,6 @@ from manipplan.support.errors import (
     RobotNotFetchedError,
     UnknownNameError,
 )
-from manipplan.support.processes import commands
 
 #: Ending of the names of robot_descriptions, and its package; its cache folder.
 ENDING, DESCRIPTIONS, DESCRIPTIONS_CACHE = "_description", "robot_descriptions", "ROBOT_DESCRIPTIONS_CACHE"

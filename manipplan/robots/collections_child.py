@@ -9,7 +9,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from manipplan.support.processes.commands import request_in, write_answer
+from manipplan.support.commands import request_in, write_answer
 
 #: Attributes of a module of robot_descriptions: paths, and mappings.
 PATHS = ("URDF_PATH", "XACRO_PATH", "MJCF_PATH", "SRDF_PATH", "PACKAGE_PATH", "REPOSITORY_PATH")

@@ -15,13 +15,12 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from manipplan.robots.description import Description
-from manipplan.robots.formats.mjcf_files import MOST_HEIGHTS, compile_mjcf
-from manipplan.robots.formats.xml_files import MOST_BODIES, MOST_JOINTS
+from manipplan.robots.description import Description, check_origins, check_sizes
 from manipplan.robots.hulls import FARTHEST
-from manipplan.robots.meshes.files import triangle_tree
+from manipplan.robots.mesh_files import triangle_tree
+from manipplan.robots.mjcf_files import MOST_HEIGHTS, compile_mjcf
 from manipplan.robots.model_tree import WORLD, Mimic, first_leaders, joint_about
-from manipplan.robots.sizes import check_origins, check_sizes
+from manipplan.robots.xml_files import MOST_BODIES, MOST_JOINTS
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pinocchio as pin
 
-from manipplan.robots.formats.xml_files import numbers, read_xml
+from manipplan.robots.xml_files import numbers, read_xml
 from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes

@@ -15,10 +15,9 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots import model_tree
-from manipplan.robots.configuration import LIMIT_TOLERANCE
 from manipplan.robots.description import Description
 from manipplan.robots.ends import default_tool
-from manipplan.robots.limits import JointLimits
+from manipplan.robots.limits import LIMIT_TOLERANCE, JointLimits
 from manipplan.robots.model_tree import WORLD, Mimic, follow, joint_about, joint_names, joint_tree, moves_with
 from manipplan.robots.srdf import Semantics
 from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, texts
@@ -91,11 +90,7 @@ def choose_joints(
 
 
 def locked_values(
-    model: pin.Model,
-    active: list[str],
-    given: Mapping[str, float],
-    semantic: Semantics | None,
-    mimics: Mapping[str, Mimic],
+    model: pin.Model, active: list[str], given: Mapping[str, float], semantic: Semantics | None, mimics: Mapping[str, Mimic]
 ) -> dict[str, float]:
     """Every joint of the description that is neither active nor follows one, with its locked value [rad or m]."""
     followers = {name: mimic.leader for name, mimic in mimics.items() if mimic.leader in active and mimic.multiplier}
@@ -160,11 +155,7 @@ def limits_of(model: pin.Model, source: str, given: Mapping[str, ArrayLike]) -> 
 
 
 def limits_of_leaders(
-    limits: JointLimits,
-    model: pin.Model,
-    followers: Mapping[str, Mimic],
-    active: Sequence[str],
-    given: Mapping[str, ArrayLike],
+    limits: JointLimits, model: pin.Model, followers: Mapping[str, Mimic], active: Sequence[str], given: Mapping[str, ArrayLike]
 ) -> JointLimits:
     """The limits of the active joints, so narrow that their followers stay within those of the description.
 
@@ -324,10 +315,7 @@ def uncouple(model: pin.Model, geometry: pin.GeometryModel) -> tuple[pin.Model, 
 
 
 def _rebuild(
-    model: pin.Model,
-    geometry: pin.GeometryModel,
-    order: Sequence[tuple[str, int, bool]],
-    kinds: Mapping[int, pin.JointModel],
+    model: pin.Model, geometry: pin.GeometryModel, order: Sequence[tuple[str, int, bool]], kinds: Mapping[int, pin.JointModel]
 ) -> tuple[pin.Model, pin.GeometryModel]:
     """The arm with the joints in `order`: new name, index in the model, and whether it has its place and its links.
 

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.scene import Scene
 from manipplan.ik.form import CHUNK
-from manipplan.ik.nearest import Nearest, millimetres_hint, nearest_to
+from manipplan.ik.newton import Nearest, millimetres_hint, nearest_to
 from manipplan.ik.solutions import apart
 from manipplan.ik.solver import Found, Solver
 from manipplan.kinematics.batch import all_cores
@@ -31,8 +31,8 @@ from manipplan.search.sweep import check_epsilon
 from manipplan.support.checks import Array, ArrayLike, finite_array, flag, instance, number, pose_matrix
 from manipplan.support.deadline import NEVER, Cancellation, Deadline
 from manipplan.support.errors import InvalidInputError, OutOfReachError
-from manipplan.support.processes.workers import usable_memory
 from manipplan.support.progress import Progress, as_callback
+from manipplan.support.workers import usable_memory
 from manipplan.symbolic.task import Task
 
 
@@ -432,13 +432,7 @@ class CandidateSampler:
         )
 
     def _fill(
-        self,
-        poses: Array,
-        owners: NDArray[np.int64],
-        values: Array,
-        found: Found,
-        spacing: Array,
-        deadline: Deadline,
+        self, poses: Array, owners: NDArray[np.int64], values: Array, found: Found, spacing: Array, deadline: Deadline
     ) -> tuple[NDArray[np.int64], Found]:
         """More samples of the one parameter where solutions of neighbouring values are farther apart than `spacing` (n,).
 

@@ -20,9 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.support.checks import LARGEST, Array, ArrayLike, number_array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.kernels import load_kernel, struct
 
 #: The compiled steps.
 
@@ -431,11 +430,7 @@ def sort_stage(stage: SweepStage, part: Subset, grid: Grid) -> Cells:
 
 
 def sweep(
-    stages: Iterable[Cells],
-    grid: Grid,
-    objective: SweepObjective,
-    pool: ThreadPool,
-    tick: Callable[[int], None],
+    stages: Iterable[Cells], grid: Grid, objective: SweepObjective, pool: ThreadPool, tick: Callable[[int], None]
 ) -> Trace:
     """One pass from the first stage to the last; after each, tick is called with the number of its candidates."""
     ids: list[NDArray[np.int32]] = []
@@ -487,7 +482,6 @@ class Widest:
         return _reach(cells, cells.m)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-
         made = StepKernel("widest", old, reached.value, reached.top, cells, grid)
         share(made, cells)
         return Reached(made.value, made.top), made.source
@@ -501,7 +495,6 @@ class Shortest:
         return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-
         made = StepKernel("shortest", old, reached.value, reached.top, cells, grid)
         share(made, cells)
         return Reached(made.value, made.top), made.source
@@ -521,7 +514,6 @@ class Lexicographic:
         return _reach(cells, value)._replace(rank=_ranks(codes, value), vectors=codes)
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-
         assert reached.rank is not None and reached.vectors is not None
         made = StepKernel("shortest", old, reached.value, reached.top, cells, grid, rank=reached.rank)
         share(made, cells)
@@ -540,7 +532,6 @@ class Closest:
         return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-
         epsilon = np.ascontiguousarray(self.epsilon[grid.order])
         made = StepKernel("closest", old, reached.value, reached.top, cells, grid, epsilon=epsilon)
         share(made, cells)
@@ -555,7 +546,6 @@ class Longest:
         return _reach(cells, np.zeros(len(cells.ids)))
 
     def step(self, old: Cells, reached: Reached, cells: Cells, grid: Grid, share: Share) -> tuple[Reached, NDArray[np.int32]]:
-
         alike = cells._replace(m=np.full(len(cells.ids), reached.top.max()))  # the manipulability does not limit a length
         made = StepKernel("widest", old, reached.value, reached.top, alike, grid)
         share(made, alike)
@@ -563,7 +553,6 @@ class Longest:
 
 
 def _reach(cells: Cells, value: Array) -> Reached:
-
     return Reached(value, largest_of_each(cells.start, value))
 
 

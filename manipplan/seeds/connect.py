@@ -25,9 +25,8 @@ from manipplan.kinematics.batch import BATCH
 from manipplan.paths.rounding import gauss_rule
 from manipplan.seeds.task import PATIENCE, Level, SeedTask
 from manipplan.support.checks import Array
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
 from manipplan.support.deadline import work_time
+from manipplan.support.kernels import load_kernel, struct
 
 #: Value to which a projection leads a row that is broken [rad or m], since edges between such configurations cut corners; at
 #: most this share of the largest value that the row has at random configurations.

@@ -37,10 +37,9 @@ from manipplan.seeds.task import (
     keeps_constraints,
     looks_free,
 )
-from manipplan.support.checks import Array, ArrayLike, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, flag, instance, number, whole_number
 from manipplan.support.deadline import work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.tolerances import COINCIDENT
 
 log = logging.getLogger("manipplan")
 
@@ -149,11 +148,7 @@ def seed_path(
     )
     task = replace(task, why_unreachable=cache(partial(why_unreachable, task)))
     finder = _Finder(
-        seeding=seeding,
-        integral=integral if lowers_g else None,
-        checks=checks,
-        compiled=compiled,
-        free=acceptance(task),
+        seeding=seeding, integral=integral if lowers_g else None, checks=checks, compiled=compiled, free=acceptance(task)
     )
     if same_aspect:
         _check_aspect(task, kinematics)

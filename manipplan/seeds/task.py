@@ -12,11 +12,12 @@ import numpy as np
 from manipplan.collision.model import CollisionModel
 from manipplan.collision.path_clearance import path_clearance
 from manipplan.constraints.constraint import ROW_TOLERANCE
-from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.constraints.proof import prove
+from manipplan.constraints.constraint_set import ConstraintSet, prove
 from manipplan.kinematics.factors import SingularitySigns
 from manipplan.paths.joint import JointPath
 from manipplan.support.checks import Array
+
+log = logging.getLogger("manipplan")
 
 #: Maximum time beyond the deadline for simplifying and rounding a path, as a share of the time limit, and at most [s].
 GRACE, MOST_GRACE = 0.05, 0.3
@@ -97,8 +98,6 @@ class SeedTask:
             low, high = (np.where(self.constraints.held, self.start, each) for each in (low, high))
         return low, high
 
-
-log = logging.getLogger("manipplan")
 
 #: Maximum joint motion between two checks of a finished path [rad or m].
 CHECK_STEP = 1e-3

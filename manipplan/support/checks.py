@@ -1,4 +1,8 @@
-"""Checks of arguments that every public function shares: one clear error, before work starts."""
+"""Checks of arguments that every public function shares: one clear error, before work starts; and tolerances, one per meaning.
+
+Numbers from outside are rounded: poses to float32 or to some digits in a file, points to whatever a recorder keeps. What lies
+within such a tolerance is taken to what was meant, once, where it comes in; from there on all work is exact.
+"""
 
 import operator
 import os
@@ -12,7 +16,16 @@ from numpy.typing import NDArray
 from typing_extensions import TypeAliasType
 
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
-from manipplan.support.tolerances import EXACT, POSE, QUATERNION
+
+#: Largest difference between an entry of a pose and that of the nearest rigid transform: float32, or five digits or more.
+POSE = 1e-5
+#: Up to this difference a pose is kept bit by bit: it is the rounding of a few products of rotations in double precision.
+EXACT = 1e-12
+#: Largest difference of a quaternion's length from 1: two digits or more. Its length says nothing of the rotation.
+QUATERNION = 1e-2
+#: Two points, configurations or poses nearer than this are one [rad or m]: a goal this near is reached.
+COINCIDENT = 1e-6
+
 
 #: Types of what is returned and of what is taken for an array; signatures show these names, not NumPy's private union.
 Array = TypeAliasType("Array", NDArray[np.float64])

@@ -24,10 +24,7 @@ class Placement:
     origin: ca.SX
 
     def __matmul__(self, other: "Placement") -> "Placement":
-        return Placement(
-            rotation=self.rotation @ other.rotation,
-            origin=self.origin + self.rotation @ other.origin,
-        )
+        return Placement(rotation=self.rotation @ other.rotation, origin=self.origin + self.rotation @ other.origin)
 
     def inverse(self) -> "Placement":
         """The world in this frame."""

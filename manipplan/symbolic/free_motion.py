@@ -11,8 +11,7 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.region import PoseRegion
-from manipplan.symbolic.task import Task
+from manipplan.symbolic.task import PoseRegion, Task
 
 #: Cosines and lengths below this are 0.
 SMALL = 1e-9

@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiling.compiler import NATIVE, find_compiler, load_library, load_stored
+from manipplan.support.compiler import NATIVE, find_compiler, load_library, load_stored
 from manipplan.support.errors import CompilerError, CompilerWarning, InvalidInputError, ManipplanError
 from manipplan.support.files import cache_folder
 from manipplan.support.untrusted import is_identifier, printable

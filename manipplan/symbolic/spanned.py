@@ -8,7 +8,7 @@ import numpy as np
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_source
 from manipplan.symbolic.backends import chain_of
-from manipplan.symbolic.relative import task_rows
+from manipplan.symbolic.motion import task_rows
 from manipplan.symbolic.task import Task
 
 if TYPE_CHECKING:

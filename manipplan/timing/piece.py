@@ -20,10 +20,17 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
 from manipplan.support.checks import Array
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.timing.barrier import fastest_motion
-from manipplan.timing.dynamics import ArcLength, LimitTightening, PathDynamics, Use, path_dynamics, slowdown
-from manipplan.timing.jerk import JerkProblem, Profile, SmoothProfile, SquaredSpeed, SteppedProfile
-from manipplan.timing.speeds import DIGITS, fastest_speeds
+from manipplan.timing.dynamics import (
+    DIGITS,
+    ArcLength,
+    LimitTightening,
+    PathDynamics,
+    Use,
+    fastest_speeds,
+    path_dynamics,
+    slowdown,
+)
+from manipplan.timing.jerk import JerkProblem, Profile, SmoothProfile, SquaredSpeed, SteppedProfile, fastest_motion
 from manipplan.timing.stops import Bounds, LimitsAlong, MovingPath, ToolSpeed
 from manipplan.timing.verify import jerk_of_pieces, piece_use
 

@@ -13,9 +13,8 @@ from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import distinct_names, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, distinct_names, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.piece import TimedPiece, TimingProblem, smooth_piece, stepped_piece, straight_ends, straight_piece
 from manipplan.timing.stops import STANDSTILL, LimitsAlong, MovingPath, Segment, ToolSpeed, check_segments, stops
 

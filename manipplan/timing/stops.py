@@ -14,10 +14,9 @@ from manipplan.paths.joint import JointPath
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.model_tree import frame_index
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance, number
+from manipplan.support.checks import COINCIDENT, Array, instance, number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 
 #: Below this share of the mean speed ‖q'‖ the path stands still; above this angle [rad] it turns a corner.
 STANDSTILL = 1e-6

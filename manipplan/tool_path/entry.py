@@ -18,11 +18,10 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.goals.candidates import APART, GoalCandidate, rate_candidates, straight_lines
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult, minimum_from_each, search_within
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import Deadline, work_time
 from manipplan.support.progress import Progress, part
 from manipplan.support.status import Failure
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.transit import PlanTransit, Transit
 

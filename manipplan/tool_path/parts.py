@@ -23,12 +23,11 @@ from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search, path_above
 from manipplan.search.sweep import check_epsilon, path_steps
-from manipplan.support.checks import Array, ArrayLike
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike
 from manipplan.support.deadline import Deadline, OutOfTimeError
 from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.timing.constant_speed import RAMP, SpeedDemand
 from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry

@@ -17,9 +17,9 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision.build import TOUCHING, self_pairs
-from manipplan.collision.covers.fitting import capsule_excess
-from manipplan.collision.covers.stored_fits import find_or_cut, find_or_fit
+from manipplan.collision.covers import capsule_excess
 from manipplan.collision.model import CollisionModel
+from manipplan.collision.stored_fits import find_or_cut, find_or_fit
 from manipplan.collision.world import core_of
 from manipplan.robots.attached import number_names
 from manipplan.robots.robot import Robot

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array
-from manipplan.support.tolerances import POSE
+from manipplan.support.checks import POSE, Array
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
 

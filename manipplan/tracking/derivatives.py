@@ -9,7 +9,7 @@ import casadi as ca
 
 from manipplan.kinematics.kinematics import SymbolicKinematics
 from manipplan.measures.manipulability import REGULARISATION, Yoshikawa
-from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
+from manipplan.symbolic.motion import Factor, log_gradient, log_hessian
 
 #: δq of (17) and (19) in dufour2020 [rad or m]; the paper names 1e-4 to 1e-3.
 DIFFERENCE = 1e-4

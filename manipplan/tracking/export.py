@@ -14,10 +14,10 @@ import casadi as ca
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.support.compiling.compiler import load_library
-from manipplan.support.compiling.declarations import source_text
+from manipplan.support.compiler import load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.files import writable_folder, write_text
+from manipplan.support.kernels import source_text
 from manipplan.support.untrusted import identifier
 from manipplan.symbolic.machine_code import generate_source, native_flags
 from manipplan.tracking.step import REPORT, STEP_NAME

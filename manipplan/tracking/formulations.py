@@ -13,7 +13,7 @@ import casadi as ca
 
 from manipplan.support.checks import flag, number, one_of
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.derivatives import Factor
+from manipplan.symbolic.motion import Factor
 from manipplan.tracking.derivatives import SymbolicMeasure, gram
 
 __all__ = [

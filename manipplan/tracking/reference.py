@@ -10,12 +10,11 @@ from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.archive import fingerprint
 from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, instance
+from manipplan.support.checks import COINCIDENT, Array, instance
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.chain import Placement
-from manipplan.symbolic.derivatives import Factor
+from manipplan.symbolic.motion import Factor
 from manipplan.symbolic.task import Task
 
 #: Number of knots of a reference, samples of the motion from which they are chosen, and which enter expressions: each 4th.

@@ -17,11 +17,10 @@ from manipplan.plans.result import Plan
 from manipplan.robots.arms import one_tool
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, array_of_shape, instance, number, one_of, texts
-from manipplan.support.compiling.compiler import load_library
-from manipplan.support.compiling.declarations import struct
-from manipplan.support.compiling.kernels import load_kernel
+from manipplan.support.compiler import load_library
 from manipplan.support.errors import CompilerError, InvalidInputError
 from manipplan.support.expressions import making_expressions
+from manipplan.support.kernels import load_kernel, struct
 from manipplan.symbolic.chain import SymbolicChain
 from manipplan.symbolic.free_motion import NOTHING, FreeMotion, Turns
 from manipplan.symbolic.machine_code import check_compiled, do_without, generate_source, native_flags, wants_machine_code

@@ -21,9 +21,8 @@ import casadi as ca
 
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.tolerance import row_shares
-from manipplan.support.checks import Array
+from manipplan.support.checks import POSE, Array
 from manipplan.support.expressions import making_expressions
-from manipplan.support.tolerances import POSE
 from manipplan.symbolic.chain import Placement
 from manipplan.symbolic.task import Task
 from manipplan.tracking.avoidance import OBSTACLE_SIZE, Avoidance, AvoidanceRows, avoidance_rows

@@ -15,14 +15,13 @@ from manipplan.paths.deviation import deviations
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.comparison import pose_distances
+from manipplan.plans.report import pose_distances
 from manipplan.robots.limits import JointLimits
 from manipplan.search.layers import Layers
 from manipplan.search.max_min import SearchResult
 from manipplan.search.refine import Refinement
-from manipplan.support.checks import Array, flag, instance, number, whole_number
+from manipplan.support.checks import COINCIDENT, Array, flag, instance, number, whole_number
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.tolerances import COINCIDENT
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.tracking.track import Tracking
 from manipplan.viz import style

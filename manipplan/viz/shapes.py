@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
-from manipplan.collision.surfaces.shells import merge_corners
+from manipplan.collision.surfaces import merge_corners
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.hulls import convex_hull, find_hull
 from manipplan.robots.robot import Robot

@@ -6,8 +6,7 @@ A sum of functions of neighbouring unknowns has a Hessian of five diagonals.
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.timing.barrier import CENTRED, FIRST, GAP, HEAVIER, ROUGH, STEPS, SUFFICIENT
-from manipplan.timing.jerk import JerkProblem, Rows, Slacks
+from manipplan.timing.jerk import CENTRED, FIRST, GAP, HEAVIER, ROUGH, STEPS, SUFFICIENT, JerkProblem, Rows, Slacks
 
 
 class NumpyCentring:

@@ -13,7 +13,7 @@ from manipplan.collision import path_clearance
 from manipplan.collision.path_clearance import SLACK, BodyMotion
 from manipplan.collision.path_clearance import _Intervals as Intervals
 from manipplan.paths.joint import split
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.support.kernels import kernel_by_llvm
 
 QUICK = ("panda", "ur5")  # which other tests need, too; most of the time is the fit of primitives
 ARMS = [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in mp.available_robots()]

@@ -8,17 +8,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.support.compiling.kernels import kernel_by_llvm
-from manipplan.timing import barrier, piece
-from manipplan.timing.barrier import Centring, fastest_motion, motion_inside
+from manipplan.support.kernels import kernel_by_llvm
+from manipplan.timing import jerk, piece
 from manipplan.timing.dynamics import ArcLength, path_dynamics
-from manipplan.timing.jerk import JerkProblem
+from manipplan.timing.jerk import Centring, JerkProblem, fastest_motion, motion_inside
 from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong, Segment
 
 ARM, HEAVY = mp.planar_arm([1.0, 1.0, 1.0]), mp.load_robot("ur5")
 LLVM = kernel_by_llvm("barrier")
-FUNCTIONS = {"compiler": barrier._calls(), "llvm": LLVM.functions()}
+FUNCTIONS = {"compiler": jerk._calls(), "llvm": LLVM.functions()}
 
 
 def random_problem(seed, ends=(0.0, 0.0), *, unlimited=0, torque=False, effort=400.0, points=60):
@@ -44,7 +43,7 @@ def random_problem(seed, ends=(0.0, 0.0), *, unlimited=0, torque=False, effort=4
 def both(monkeypatch, problem, functions):
     """The objects that take compiled steps, and NumPy's."""
     with monkeypatch.context() as context:
-        context.setattr(barrier, "_calls", lambda: functions)
+        context.setattr(jerk, "_calls", lambda: functions)
         return Centring(problem), NumpyCentring(problem)
 
 
@@ -88,7 +87,7 @@ def test_compiled_steps_lead_where_numpy_s_do_on_random_problems(seed, ends, unl
     problem = random_problem(seed, ends, unlimited=unlimited, torque=torque, points=points)
     with pytest.MonkeyPatch.context() as context:
         motions = [fastest_motion(problem)]
-        context.setattr(barrier, "Centring", NumpyCentring)
+        context.setattr(jerk, "Centring", NumpyCentring)
         motions.append(fastest_motion(problem))
     assert (motions[0] is None) == (motions[1] is None)
     if motions[0] is not None:
@@ -122,7 +121,7 @@ def test_without_compiled_code_a_motion_is_the_same(monkeypatch):
     """Up to what rounding decides: whether a limit is exceeded by a digit, for which the motion is slowed down."""
     path, limits = mp.JointPath.line(np.zeros(3), np.ones(3)), ARM.with_limits(velocity=1.0, acceleration=2.0, jerk=20.0).limits
     durations = [mp.retime(path, ARM, limits=limits).duration]
-    monkeypatch.setattr(barrier, "Centring", NumpyCentring)
+    monkeypatch.setattr(jerk, "Centring", NumpyCentring)
     durations.append(mp.retime(path, ARM, limits=limits).duration)
     assert durations[0] == pytest.approx(durations[1], rel=1e-6)
 
@@ -139,7 +138,7 @@ def test_a_problem_without_a_motion_has_none(functions, monkeypatch):
 @pytest.mark.parametrize("compiled", [True, False])
 def test_speeds_and_efforts_without_a_motion_are_refused_alike(monkeypatch, compiled):
     if not compiled:
-        monkeypatch.setattr(barrier, "Centring", NumpyCentring)
+        monkeypatch.setattr(jerk, "Centring", NumpyCentring)
     robot = mp.planar_arm([1.0, 1.0]).with_limits(velocity=[1.0, 2.0], acceleration=2.0, jerk=1.0)
     path = mp.JointPath.line([0.0, 0.0], [0.01, 0.0])
     for name in ("start_speed", "end_speed"):

@@ -18,7 +18,7 @@ from manipplan.cost.integral import PathIntegral
 from manipplan.paths import joint as curves
 from manipplan.paths.basis import find_basis
 from manipplan.paths.joint import MOST_DEGREE, Curve, JointPath, bernstein
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.support.kernels import kernel_by_llvm
 
 
 def some_path(rng, pieces, degree, n):

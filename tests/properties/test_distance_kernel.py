@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 import manipplan as mp
 from manipplan.collision.kernel import UNDECIDED, DistanceKernel
 from manipplan.collision.shapes import Part
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.support.kernels import kernel_by_llvm
 
 ARMS = ["panda", "ur5", "planar", "two", "eggs"]
 MORE_ARMS = [

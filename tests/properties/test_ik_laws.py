@@ -26,7 +26,7 @@ KINDS = {
 def no_compiler():
     """Every example is another arm: machine code of its forward kinematics would take a second each."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in ("support.compiling.compiler", "symbolic.machine_code"):
+        for module in ("support.compiler", "symbolic.machine_code"):
             patch.setattr(f"manipplan.{module}.find_compiler", lambda language="c": None)
         yield
 

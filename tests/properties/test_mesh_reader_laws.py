@@ -12,8 +12,8 @@ from examples import examples
 from hypothesis import assume, given
 from scipy.spatial import cKDTree
 
-from manipplan.robots.meshes.files import read_mesh, welded
-from manipplan.robots.meshes.polygons import split_polygons
+from manipplan.robots.mesh_files import read_mesh, welded
+from manipplan.robots.mesh_scenes import split_polygons
 
 pytest.importorskip("trimesh")
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))

@@ -7,7 +7,7 @@ import pytest
 from coal_oracle import by_coal
 
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.surfaces.meshes import triangle_tree
+from manipplan.collision.surfaces import triangle_tree
 from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.ik.nearest import nearest_to
+from manipplan.ik.newton import nearest_to
 from manipplan.symbolic.free_motion import NOTHING
 
 STARTS, STEPS = 150, 80
@@ -19,7 +19,7 @@ STARTS, STEPS = 150, 80
 def no_compiler():
     """Every example is another arm: machine code of its forward kinematics would take a second each."""
     with pytest.MonkeyPatch.context() as patch:
-        for module in ("support.compiling.compiler", "symbolic.machine_code"):
+        for module in ("support.compiler", "symbolic.machine_code"):
             patch.setattr(f"manipplan.{module}.find_compiler", lambda language="c": None)
         yield
 

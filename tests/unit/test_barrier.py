@@ -5,9 +5,8 @@ import pytest
 from barrier_oracle import BandedModel, model_of
 
 import manipplan as mp
-from manipplan.timing.barrier import motion_inside
 from manipplan.timing.dynamics import ArcLength, path_dynamics
-from manipplan.timing.jerk import JerkProblem, applied
+from manipplan.timing.jerk import JerkProblem, applied, motion_inside
 from manipplan.timing.piece import first_grid
 from manipplan.timing.stops import LimitsAlong
 

@@ -7,10 +7,9 @@ import pytest
 
 import manipplan as mp
 from manipplan.kinematics import batch
-from manipplan.kinematics.batch import BATCH, BatchKernel
-from manipplan.kinematics.instructions import operations
-from manipplan.support.compiling.compiler import find_compiler
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.kinematics.batch import BATCH, BatchKernel, operations
+from manipplan.support.compiler import find_compiler
+from manipplan.support.kernels import kernel_by_llvm
 
 COMPILED = [pytest.param(True, marks=pytest.mark.compiler), False]
 QUANTITIES = ["pose", "jacobian", "manipulability", "gradient", "hessian"]

@@ -50,7 +50,7 @@ def test_what_takes_too_much_is_seen(tmp_path, monkeypatch):
 @pytest.mark.parametrize("pairs", [0, 3, 40])
 def test_compressed_points_are_unpacked_as_they_were(tmp_path, pairs):
     """References that overlap what they append, and runs, against the bytes they stand for."""
-    from manipplan.collision.formats.cloud_files import _lzf
+    from manipplan.collision.clouds import _lzf
 
     packed, plain = bytearray([2, 1, 2, 3]), bytearray([1, 2, 3])
     rng = np.random.default_rng(pairs)

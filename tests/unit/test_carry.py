@@ -5,8 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
-from manipplan.jobs.carry import _count, lone_robot
-from manipplan.jobs.carry_request import tool_poses
+from manipplan.jobs.carry import _count, lone_robot, tool_poses
 from manipplan.paths.cartesian import Offset
 from manipplan.robots.arms import own_joints, shared_joints
 

@@ -14,9 +14,9 @@ from broken_files import count_refused
 from scipy.spatial import cKDTree
 
 import manipplan as mp
-from manipplan.collision.formats.cloud_files import _lzf
+from manipplan.collision.clouds import _lzf
 from manipplan.plans.archive import scene_data, scene_of
-from manipplan.support.json_data import json_ready, pack_array, unpack_array
+from manipplan.support.data_files import json_ready, pack_array, unpack_array
 
 RNG = np.random.default_rng(3)
 CLOUDS = {

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.coarse import CELLS, PieceHull, coarse_scene
+from manipplan.collision.coarse import CELLS, PieceHull, coarse_scene
 from manipplan.optimize.local import LocalSearch, Until
 
 START, GOAL = np.array([-0.8, 0.4, 0, -1.6, 0, 2.0, 0.8]), np.array([0.8, 0.4, 0, -1.6, 0, 2.0, 0.8])

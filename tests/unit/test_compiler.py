@@ -14,21 +14,20 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import energy_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import energy_density
 from manipplan.kinematics import batch, kinematics
 from manipplan.optimize.clearance import ClearanceRows, row_functions
-from manipplan.support.compiling import compiler as module
-from manipplan.support.compiling import stored
-from manipplan.support.compiling.compiler import find_compiler, load_library
+from manipplan.support import compiler as module
+from manipplan.support.commands import run
+from manipplan.support.compiler import find_compiler, load_library
 from manipplan.support.files import is_private
-from manipplan.support.processes.commands import run
 from manipplan.symbolic import machine_code
 
 SOURCE = "int answer(void) { return 42; }"
 BUILD = f"""
 from pathlib import Path
-from manipplan.support.compiling.compiler import load_library
+from manipplan.support.compiler import load_library
 print(load_library({SOURCE!r}, Path, subject="a test"))
 """
 
@@ -284,10 +283,10 @@ def test_a_library_that_cannot_be_loaded_is_built_again(folder, content):
             file.with_suffix(".sha256").write_text(hashlib.sha256(other.name.encode() + file.read_bytes()).hexdigest())
         else:
             file.write_bytes(b"garbage" * 1000 if content == "garbage" else b"")
-            file.with_suffix(".sha256").write_text(stored.digest(file.read_bytes(), file))
-            assert stored.is_sound(file)
+            file.with_suffix(".sha256").write_text(module.digest(file.read_bytes(), file))
+            assert module.is_sound(file)
     assert in_another_process() == "True []"
-    assert all(file.stat().st_size > 8000 and stored.is_sound(file) for file in files)
+    assert all(file.stat().st_size > 8000 and module.is_sound(file) for file in files)
 
 
 @pytest.mark.compiler
@@ -441,8 +440,8 @@ def test_another_user_s_library_is_built_again(folder, monkeypatch):
     file = shared_library(SOURCE)
     other = file.read_bytes().replace(b"\x2a\x00\x00\x00", b"\x2b\x00\x00\x00", 1)
     file.write_bytes(other)
-    file.with_suffix(".sha256").write_text(stored.digest(file.read_bytes(), file))
-    assert stored.is_sound(file)
+    file.with_suffix(".sha256").write_text(module.digest(file.read_bytes(), file))
+    assert module.is_sound(file)
     assert answer(file) == "43"
     for each in (file, file.with_suffix(".sha256")):
         os.chown(each, 12345, 12345)

@@ -10,8 +10,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.constraints.constraint import constraints_from_yaml
-from manipplan.constraints.constraint_set import ConstraintSet, tool_frame
-from manipplan.constraints.proof import TOLERANCE, prove
+from manipplan.constraints.constraint_set import TOLERANCE, ConstraintSet, prove, tool_frame
 from manipplan.kinematics.batch import BatchKernel
 from manipplan.seeds.connect import _of_own
 from manipplan.symbolic.backends import chain_of

@@ -1,4 +1,4 @@
-"""Keys of content: equal for equal content, in every process, and different for any other."""
+"""Keys of content: equal for equal memo, in every process, and different for any other."""
 
 import os
 import pickle
@@ -12,15 +12,15 @@ import pytest
 
 import manipplan as mp
 from manipplan.jobs.plan_many import Problem, checked, problem_key, robot_key, scene_key
-from manipplan.support import content
-from manipplan.support.content import code_key, content_key
+from manipplan.support import memo
+from manipplan.support.memo import code_key, content_key
 
 TRIANGLES = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 0, 0], [0, 1, 0], [0, 0, 1]]], dtype=float)
 #: A program that prints keys of things whose pickles differ from process to process.
 PROGRAM = """
 import manipplan as mp
 from manipplan.jobs.plan_many import robot_key, scene_key
-from manipplan.support.content import content_key
+from manipplan.support.memo import content_key
 scene = mp.Scene([mp.Box(size=(1, 1, 1), name=name) for name in "abcdef"], allowed=[(a, b) for a in "abc" for b in "def"])
 print(content_key(frozenset("abcdefgh")), scene_key(scene), robot_key(mp.load_robot("panda")))
 """
@@ -157,7 +157,7 @@ def test_the_key_of_the_code_is_that_of_its_files(tmp_path, monkeypatch):
     for file, text in {"a.py": "1", "b/c.c": "2", "viz/d.py": "3", "notes.txt": "4"}.items():
         (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text)
-    monkeypatch.setattr(content, "PACKAGE", tmp_path)
+    monkeypatch.setattr(memo, "PACKAGE", tmp_path)
     keys = []
     for file, text in (("a.py", "1"), ("a.py", "5"), ("b/c.c", "6"), ("viz/d.py", "7"), ("notes.txt", "8")):
         (tmp_path / file).write_text(text)

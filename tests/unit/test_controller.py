@@ -11,7 +11,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.paths.tolerance import row_shares
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 from manipplan.tracking.controller import Controller
 from studies.dufour2020.quasi_newton import QuasiNewton
 

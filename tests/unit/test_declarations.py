@@ -6,11 +6,11 @@ import subprocess
 
 import pytest
 
-from manipplan.support.compiling import declarations
-from manipplan.support.compiling.compiler import find_compiler
-from manipplan.support.compiling.declarations import TYPES, signatures, source_text, struct
-from manipplan.support.compiling.kernel_library import KERNELS
+from manipplan.support import kernels
+from manipplan.support.compiler import find_compiler
 from manipplan.support.errors import CompilerError
+from manipplan.support.kernel_library import KERNELS
+from manipplan.support.kernels import TYPES, signatures, source_text, struct
 
 STRUCTS = {
     "body_motion": ["Arm"],
@@ -50,7 +50,7 @@ def test_every_function_of_the_kernels_is_read():
 
 
 def test_odd_declarations(tmp_path, monkeypatch):
-    monkeypatch.setattr(declarations, "FOLDER", tmp_path)
+    monkeypatch.setattr(kernels, "FOLDER", tmp_path)
     (tmp_path / "odd.c").write_text(
         "typedef struct { long k; double (*f)(const void *, double); unsigned char c[2][3], *d; } Whole; /* } Whole; */\n"
         "typedef struct { Whole one, *other; const double *const last; } Nested;\n"

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import length_density
 from manipplan.optimize import descent
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate, LocalSearch

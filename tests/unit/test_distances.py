@@ -11,7 +11,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 from manipplan.symbolic.machine_code import compiled
 from manipplan.tracking.bodies import SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
 

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 import manipplan as mp
-from manipplan.collision.covers.fitting import SAMPLES, capsule_excess, capsule_points
+from manipplan.collision.covers import SAMPLES, capsule_excess, capsule_points
 from manipplan.collision.world import mesh_triangles
 from manipplan.tracking.bodies import CapsuleBodies
 

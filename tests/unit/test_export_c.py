@@ -9,7 +9,7 @@ import pinocchio as pin
 import pytest
 
 import manipplan as mp
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 from manipplan.tracking import export
 from manipplan.tracking.controller import Controller
 from manipplan.tracking.step import REPORT

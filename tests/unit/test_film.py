@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 import manipplan as mp
 from manipplan import viz
 from manipplan.collision.world import mesh_triangles
-from manipplan.robots.meshes.collada import read_collada, read_coloured
+from manipplan.robots.mesh_scenes import read_collada, read_coloured
 from manipplan.viz import render, style
 from manipplan.viz.shapes import faces_of
 from manipplan.viz.viewer.bodies import appearance_of, visual_geometry

@@ -27,7 +27,7 @@ from manipplan.ik.newton import MovingArm
 from manipplan.jobs.plan_many import robot_key
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 from manipplan.robots.arms import arm_of, tool_reach
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.timing.constant_speed import most_acceleration
 from manipplan.tracking.avoidance import avoidance_rows
 from manipplan.viz.motions import skeleton

@@ -11,12 +11,10 @@ from scipy.spatial.transform import Rotation
 import manipplan as mp
 from manipplan.cli import main
 from manipplan.constraints.constraint_set import ConstraintSet
-from manipplan.goals.candidates import find_candidates, ordered
-from manipplan.goals.choice import PATHS, choose
-from manipplan.goals.pose_goal import PoseGoal
-from manipplan.goals.read import goals_from_yaml, pose_of_numbers, read_goals
+from manipplan.goals.candidates import PATHS, choose, find_candidates, ordered
+from manipplan.goals.goal import PoseGoal, goals_from_yaml, pose_of_numbers, read_goals
 from manipplan.goals.solutions import nearest, poses_inside, reaching
-from manipplan.robots.configuration import nearest_turns
+from manipplan.robots.limits import nearest_turns
 from manipplan.support.deadline import Deadline
 
 GOAL = np.array([1.2, -0.3, 0.0, -2.2, 0.0, 2.0, 0.8])

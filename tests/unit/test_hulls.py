@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision.covers.pieces import convex_pieces
+from manipplan.collision.covers import convex_pieces
 from manipplan.robots.hulls import convex_hull, has_hull, outer_hull
 
 

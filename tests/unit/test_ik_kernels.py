@@ -10,10 +10,9 @@ from manipplan.ik import bridge
 from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import MovingArm
 from manipplan.ik.solutions import are_poses, distinct, residuals
-from manipplan.support.compiling import declarations
-from manipplan.support.compiling.declarations import source_text
-from manipplan.support.compiling.kernels import kernel_by_llvm
-from manipplan.support.tolerances import COINCIDENT
+from manipplan.support import kernels
+from manipplan.support.checks import COINCIDENT
+from manipplan.support.kernels import kernel_by_llvm, source_text
 
 
 @pytest.fixture(scope="module")
@@ -153,7 +152,7 @@ def test_llvm_and_the_compiler_agree(by_llvm, monkeypatch, rng):
 
 
 def test_headers_stand_in_place_of_their_lines_once(tmp_path, monkeypatch):
-    monkeypatch.setattr(declarations, "FOLDER", tmp_path)
+    monkeypatch.setattr(kernels, "FOLDER", tmp_path)
     (tmp_path / "a.c").write_text('#include <math.h>\n#include "b.h"\n#include "c.h"\nint a;\n')
     (tmp_path / "b.h").write_text('#pragma once\n#include "c.h"\nint b;\n')
     (tmp_path / "c.h").write_text("#pragma once\nint c;\n")

@@ -9,9 +9,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import manipplan as mp
-from manipplan.plans.comparison import Comparison, MotionFigures
+from manipplan.plans.report import Comparison, MotionFigures
 from manipplan.recordings.program import TubeProgram, Weights
-from manipplan.recordings.smooth import Ends, SplineBasis, smooth
+from manipplan.recordings.recording import Ends, SplineBasis, smooth
 
 TUBE = mp.Tolerance(position=0.02, rotation=0.2)
 

@@ -13,7 +13,7 @@ import manipplan as mp
 from manipplan.ik.bridge import SKEW, arrangement, swivels_of
 from manipplan.ik.form import closed_form
 from manipplan.ik.solver import Solver
-from manipplan.support.compiling.kernel_library import find_library
+from manipplan.support.kernel_library import find_library
 
 CLOSED = {
     "panda": "spherical",
@@ -544,7 +544,7 @@ def test_without_a_library_llvm_compiles(place, tmp_path):
     (tmp_path / "file").write_text("")
     program = """
 import sys, manipplan as mp
-from manipplan.support.compiling import kernels
+from manipplan.support import kernels
 if len(sys.argv) > 1:
     kernels.find_library = lambda: None
 ur5 = mp.load_robot("ur5")

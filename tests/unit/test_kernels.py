@@ -15,11 +15,10 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.support.compiling import compiler, kernel_library, kernels
-from manipplan.support.compiling.compiler import log_when_slow
-from manipplan.support.compiling.kernel_library import KERNELS, build_library, digest_of
-from manipplan.support.compiling.kernels import kernel_by_llvm, llvm_texts, load_kernel
-from manipplan.support.compiling.llvm import compile_by_llvm
+from manipplan.support import compiler, kernel_library, kernels
+from manipplan.support.compiler import log_when_slow
+from manipplan.support.kernel_library import KERNELS, build_library, digest_of
+from manipplan.support.kernels import compile_by_llvm, kernel_by_llvm, llvm_texts, load_kernel
 
 ANSWER = "define i32 @answer() {\n  ret i32 42\n}\n"
 
@@ -145,7 +144,7 @@ def test_llvm_s_code_is_stored(cache, monkeypatch):
     assert answer(compile_by_llvm(ANSWER, "a test")) == 42
     files = sorted(cache.iterdir())
     assert [file.suffix for file in files] == [".o", ".sha256"]
-    monkeypatch.setattr("manipplan.support.compiling.llvm._machine_code", None)  # what is stored is not compiled again
+    monkeypatch.setattr("manipplan.support.kernels._machine_code", None)  # what is stored is not compiled again
     assert answer(compile_by_llvm(ANSWER, "a test")) == 42
 
 

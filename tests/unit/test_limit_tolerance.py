@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.robots.configuration import enough_digits
+from manipplan.robots.limits import enough_digits
 
 TURN = 2 * np.pi
 ARM = mp.planar_arm([1.0, 0.8, 0.5]).with_limits(lower=[-3.0, -2.5, -2.0], upper=[3.0, 2.5, 2.0], jerk=np.inf)

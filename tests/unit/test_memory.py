@@ -7,7 +7,7 @@ import sys
 import psutil
 import pytest
 
-from manipplan.support.processes.workers import usable_memory
+from manipplan.support.workers import usable_memory
 
 GB = 1_000_000_000
 
@@ -52,7 +52,7 @@ def test_a_container_that_sees_its_own_group_as_the_root(made):
 
 @pytest.mark.slow
 def test_a_limit_of_the_shell_counts():
-    code = "from manipplan.support.processes.workers import usable_memory; print(usable_memory())"
+    code = "from manipplan.support.workers import usable_memory; print(usable_memory())"
     limit = 3 * GB
 
     def limited():

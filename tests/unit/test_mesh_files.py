@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.robots.meshes.files import read_mesh
+from manipplan.robots.mesh_files import read_mesh
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 from fuzz import samples

@@ -7,14 +7,12 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.collision import build
-from manipplan.collision.covers import pieces
+from manipplan.collision import build, covers, surfaces
 from manipplan.collision.model import CollisionModel
-from manipplan.collision.surfaces import meshes
 from manipplan.collision.world import mesh_key, mesh_triangles
 from manipplan.robots.hulls import convex_hull
-from manipplan.robots.meshes.files import triangle_tree
-from manipplan.support.content import content_key
+from manipplan.robots.mesh_files import triangle_tree
+from manipplan.support.memo import content_key
 
 BALL, FOREARM = '<sphere radius="0.03"/>', '<box size="0.2 0.04 0.04"/>'
 
@@ -191,7 +189,7 @@ def test_a_later_process_computes_nothing_again(tmp_path, cache, monkeypatch, fi
     monkeypatch.setattr(build, "FINE", fine)
     distances, said = measured(sleeves(tmp_path))
     assert sorted(each.name for each in cache.iterdir() if each.is_dir()) == ["choices", "parts", "pieces"]
-    for module, name in ((pieces, "convex_pieces"), (meshes, "mesh_parts"), (build, "_choose")):
+    for module, name in ((covers, "convex_pieces"), (surfaces, "mesh_parts"), (build, "_choose")):
         monkeypatch.setattr(module, name, lambda *_, name=name: pytest.fail(f"{name} was called"))
     again, same = measured(sleeves(tmp_path))
     assert said == same

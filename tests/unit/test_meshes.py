@@ -15,11 +15,9 @@ import pytest
 from broken_files import count_refused
 
 import manipplan as mp
-from manipplan.collision.surfaces.meshes import mesh_parts
-from manipplan.collision.surfaces.shells import merge_corners, shells, winding_number
-from manipplan.robots.meshes.collada import read_collada
-from manipplan.robots.meshes.files import triangle_tree
-from manipplan.robots.meshes.polygons import split_polygons
+from manipplan.collision.surfaces import merge_corners, mesh_parts, shells, winding_number
+from manipplan.robots.mesh_files import triangle_tree
+from manipplan.robots.mesh_scenes import read_collada, split_polygons
 
 trimesh = pytest.importorskip("trimesh")
 

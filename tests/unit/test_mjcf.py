@@ -12,8 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.robots import mjcf
-from manipplan.robots.formats import mjcf_files
+from manipplan.robots import mjcf, mjcf_files
 
 RADIANS = '<compiler angle="radian"/>'
 #: Three links of 0.25, 0.35 and 0.3 m; each of the parts can be replaced.

@@ -14,8 +14,7 @@ import manipplan as mp
 from manipplan.cli import commands, main
 from manipplan.ik.form import closed_form
 from manipplan.robots import collections
-from manipplan.robots.catalog import CATALOG
-from manipplan.robots.data_sheets import FR3
+from manipplan.robots.catalog import CATALOG, FR3
 
 LIMIT = '<limit lower="{}" upper="{}" velocity="{}" effort="50"/>'
 

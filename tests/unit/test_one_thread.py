@@ -7,7 +7,7 @@ import scipy.linalg  # noqa: F401 - brings its own BLAS, which a plan would load
 from threadpoolctl import threadpool_info, threadpool_limits
 
 import manipplan as mp
-from manipplan.support.processes.one_thread import one_thread
+from manipplan.support.workers import one_thread
 
 
 def threads():

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import energy_density, hessian_of, length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import energy_density, hessian_of, length_density
 from manipplan.measures.names import MEASURES
 from manipplan.optimize import clearance
 from manipplan.optimize.clearance import row_functions

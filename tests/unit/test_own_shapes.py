@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.collision.own_shapes import EXCESS
+from manipplan.collision.shapes import EXCESS
 from manipplan.jobs.plan_many import scene_key
 from manipplan.viz.shapes import triangles_of
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.cost.density import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.cost.integral import PathIntegral
+from manipplan.cost.objective import ENERGY_REGULARISATION, energy_density, length_density
 from manipplan.kinematics.kinematics import steady
 from manipplan.optimize.clearance import row_functions
 from manipplan.symbolic import machine_code
@@ -123,7 +123,7 @@ def test_the_density_is_speed_over_index(name, planar, rng):
 
 def test_the_steady_view_has_true_derivatives(panda, rng):
     """Also with a ρ that matters: by CasADi's own differentiation."""
-    from manipplan.symbolic.derivatives import Factor, log_gradient, log_hessian
+    from manipplan.symbolic.motion import Factor, log_gradient, log_hessian
 
     chain = panda.kinematics().symbolic.chain
     jacobian, motion = steady(chain, mp.Task.pose(length=0.5))

@@ -6,8 +6,8 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.pieces import GOOD, MOST_PIECES, _CutPart, _WholeMesh, convex_pieces
-from manipplan.collision.surfaces.shells import winding_number
+from manipplan.collision.covers import GOOD, MOST_PIECES, _CutPart, _WholeMesh, convex_pieces
+from manipplan.collision.surfaces import winding_number
 from manipplan.collision.world import mesh_triangles
 
 

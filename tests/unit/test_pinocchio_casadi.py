@@ -6,8 +6,8 @@ import pytest
 
 import manipplan as mp
 from manipplan.robots.model_tree import frame_index
-from manipplan.support.compiling.compiler import find_compiler
-from manipplan.symbolic.pinocchio_casadi import _bridge, bindings_installed
+from manipplan.support.compiler import find_compiler
+from manipplan.symbolic.backends import _bridge, bindings_installed
 
 pytestmark = pytest.mark.slow  # the bridge is compiled for minutes the first time
 

@@ -382,7 +382,7 @@ def started(monkeypatch):
             super().__init__(*arguments, **options)
             made.append(self)
 
-    monkeypatch.setattr("manipplan.support.processes.workers.subprocess.Popen", Noted)
+    monkeypatch.setattr("manipplan.support.workers.subprocess.Popen", Noted)
     return made
 
 
@@ -455,7 +455,7 @@ def test_a_dask_cluster_survives_a_deadly_problem(with_deaths, tmp_path, expecte
 
 
 def test_processes_that_do_not_start_are_told(problems, monkeypatch):
-    monkeypatch.setattr("manipplan.support.processes.workers.BEGIN", "import sys; sys.exit(5)")
+    monkeypatch.setattr("manipplan.support.workers.BEGIN", "import sys; sys.exit(5)")
     with pytest.raises(mp.errors.InvalidInputError, match=r"executor: .*processes that can start.*exit code 5"):
         mp.plan_many(problems, 2)
 

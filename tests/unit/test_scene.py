@@ -10,7 +10,7 @@ import pytest
 from scipy.spatial import ConvexHull
 
 import manipplan as mp
-from manipplan.collision.covers.fitting import fit_capsules
+from manipplan.collision.covers import fit_capsules
 from manipplan.collision.world import mesh_triangles, outside
 
 

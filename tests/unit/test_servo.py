@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 from manipplan.tracking.servo import LONGEST_STEP, Servo, ServoLimit, ServoStatus, Singularity
 
 DT = 0.002

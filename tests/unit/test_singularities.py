@@ -10,7 +10,7 @@ from scipy.special import ellipkinc
 
 import manipplan as mp
 from manipplan.cost.crossings import describe, find_crossings, least_crossings, runs_along, with_shares
-from manipplan.cost.density import SAMPLES, SHARE, typical_measure
+from manipplan.cost.objective import SAMPLES, SHARE, typical_measure
 from manipplan.kinematics.factors import determinant_factors, singularity_signs
 from manipplan.optimize.program import PathProgram
 from manipplan.paths.basis import find_basis

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from manipplan.collision.covers import fitting
-from manipplan.collision.covers.stored_fits import find_or_fit
+from manipplan.collision import covers
+from manipplan.collision.stored_fits import find_or_fit
 from manipplan.collision.world import outside
 
 
@@ -25,13 +25,13 @@ def triangles():
 def fits(monkeypatch):
     """The calls of the fit."""
     calls = []
-    fit = fitting.fit_capsules
+    fit = covers.fit_capsules
 
     def counted(*arguments, **options):
         calls.append(options)
         return fit(*arguments, **options)
 
-    monkeypatch.setattr(fitting, "fit_capsules", counted)
+    monkeypatch.setattr(covers, "fit_capsules", counted)
     return calls
 
 
@@ -67,7 +67,7 @@ def test_spoilt_files_are_fitted_again(cache, triangles, fits, spoil):
     file.write_text(spoil(json.loads(file.read_text())))
     found = find_or_fit(triangles)
     assert len(fits) == 2 and described(found) == described(expected)
-    depth = np.array([outside(each, fitting.subdivide(triangles).reshape(-1, 3)) for each in found])
+    depth = np.array([outside(each, covers.subdivide(triangles).reshape(-1, 3)) for each in found])
     assert depth.min(axis=0).max() == 0.0
     find_or_fit(triangles)
     assert len(fits) == 2

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.paths.tables import NUMBER
-from manipplan.support.yaml_files import read_yaml
+from manipplan.paths.export import NUMBER
+from manipplan.support.data_files import read_yaml
 
 ARM = mp.planar_arm([1.0, 1.0])
 HEAD = "time,q_joint1,q_joint2\n"

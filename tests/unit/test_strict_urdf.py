@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 import manipplan as mp
-from manipplan.robots.formats import urdf_files
+from manipplan.robots import urdf_files
 
 ARM = """<robot name="arm">
   <link name="base"/>

@@ -8,7 +8,7 @@ import pytest
 import manipplan as mp
 from manipplan.search import sweep
 from manipplan.search.sweep import choose_grid, largest_of_each, sorted_into_cells
-from manipplan.support.compiling.kernels import kernel_by_llvm
+from manipplan.support.kernels import kernel_by_llvm
 
 TURNS = np.array([False, True, False, True])
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.support.compiling.compiler import find_compiler
+from manipplan.support.compiler import find_compiler
 from studies.dufour2020.quasi_newton import QuasiNewton
 
 START = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
 import manipplan as mp
-from manipplan.recordings.read import read_motion
+from manipplan.recordings.recording import read_motion
 
 TURN = 2 * np.pi
 FREE = mp.planar_arm([1.0, 0.8, 0.5])

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.collision.path_clearance import body_motion
-from manipplan.goals.read import goals_from_yaml
+from manipplan.goals.goal import goals_from_yaml
 from manipplan.goals.two_arms import reaching_tools
 from manipplan.optimize.clearance import ClearanceRows, row_functions
 

@@ -20,8 +20,8 @@ from manipplan import cli
 from manipplan.cli import terminal
 from manipplan.kinematics import batch
 from manipplan.optimize.clearance import row_functions
-from manipplan.support.compiling import compiler
-from manipplan.support.compiling.compiler import find_compiler, load_library
+from manipplan.support import compiler
+from manipplan.support.compiler import find_compiler, load_library
 from manipplan.support.errors import ManipplanError
 from manipplan.support.untrusted import KEYWORDS, LONGEST, identifier, is_identifier, printable
 from manipplan.symbolic import machine_code

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 import manipplan as mp
-from manipplan.support.processes.workers import THREADS, WorkerLostError, Workers
+from manipplan.support.workers import THREADS, WorkerLostError, Workers
 
 
 def square(x, *, plus=0):
@@ -141,7 +141,7 @@ def test_processes_do_not_react_to_ctrl_c(workers):
 def test_processes_end_with_a_caller_that_is_killed(tmp_path):
     program = tmp_path / "program.py"
     program.write_text(
-        "import os, time\nfrom manipplan.support.processes.workers import Workers\n"
+        "import os, time\nfrom manipplan.support.workers import Workers\n"
         "if __name__ == '__main__':\n    workers = Workers(1)\n"
         "    print(workers.submit(os.getpid).result(), flush=True)\n    time.sleep(60)\n"
     )
@@ -166,7 +166,7 @@ def outcome(program, tmp_path):
     return done.stdout + done.stderr
 
 
-USE = "from manipplan.support.processes.workers import Workers\nprint('read')\n"
+USE = "from manipplan.support.workers import Workers\nprint('read')\n"
 
 
 @pytest.mark.slow
@@ -201,7 +201,7 @@ def test_what_work_prints_does_not_get_among_the_results(workers):
 
 
 def test_a_process_that_does_not_start_is_told(monkeypatch):
-    monkeypatch.setattr("manipplan.support.processes.workers.BEGIN", "import sys; sys.exit(5)")
+    monkeypatch.setattr("manipplan.support.workers.BEGIN", "import sys; sys.exit(5)")
     with Workers(1) as one, pytest.raises(WorkerLostError, match="exit code 5") as caught:
         one.submit(square, 2).result()
     assert not caught.value.started

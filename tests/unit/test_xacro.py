@@ -18,9 +18,9 @@ from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.plans.archive import robot_data, robot_of
-from manipplan.robots.formats import urdf_files
-from manipplan.robots.formats.expressions import RefusedError, evaluate
-from manipplan.robots.formats.packages import PackageFolders
+from manipplan.robots import urdf_files
+from manipplan.robots.packages import PackageFolders
+from manipplan.robots.xacro_child import RefusedError, evaluate
 from manipplan.viz.viewer.bodies import visual_geometry
 
 HEAD = '<robot name="two" xmlns:xacro="http://www.ros.org/wiki/xacro">'

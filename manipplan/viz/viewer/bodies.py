@@ -15,7 +15,7 @@ import pinocchio as pin
 from manipplan.collision.scene import Scene
 from manipplan.robots import attached, mjcf, subchain
 from manipplan.robots.description import read_visuals
-from manipplan.robots.meshes.collada import read_coloured
+from manipplan.robots.mesh_scenes import read_coloured
 from manipplan.robots.model_tree import frame_index, plain_angles
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

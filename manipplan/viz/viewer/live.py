@@ -10,7 +10,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.collision.scene import Scene
-from manipplan.goals.read import read_configuration
+from manipplan.goals.goal import read_configuration
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number, pose_matrix
 from manipplan.symbolic.task import Task

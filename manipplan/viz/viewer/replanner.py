@@ -10,7 +10,7 @@ import pinocchio as pin
 
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
-from manipplan.goals.pose_goal import Goal, PoseGoal
+from manipplan.goals.goal import Goal, PoseGoal
 from manipplan.jobs.plan import plan
 from manipplan.plans.result import Plan
 from manipplan.support.errors import InvalidInputError, ManipplanError

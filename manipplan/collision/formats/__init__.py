@@ -1,1 +1,0 @@
-"""Readers of scenes from elsewhere: files of MoveIt and MuJoCo go in, obstacles come out."""

@@ -1,1 +1,0 @@
-"""Surfaces of meshes and clouds of points, as coal takes them."""

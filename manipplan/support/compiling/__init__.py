@@ -1,1 +1,0 @@
-"""Machine code: from C by a compiler, and from LLVM's language."""
