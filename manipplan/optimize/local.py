@@ -578,7 +578,7 @@ class LocalSearch:
     def margins(self, start_path: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
 
-        Wide ones come before the final one, with `start_path` only those that this path has. One of them is enough for a path that
+        Wide ones come before the final one, with `start_path` only those that it has. One of them is enough for a path that
         only has to be proven, and a path near an optimum needs none.
         """
         wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []

@@ -115,9 +115,9 @@ class Gaps:
     parts: int | None
 
 
-def find_gaps(layers: Layers, epsilon: ArrayLike) -> Gaps:
+def find_gaps(layers: Layers, epsilon: ArrayLike, *, progress: Progress | None = None) -> Gaps:
     """The gaps of a path through the layers, by one sweep; arguments as in `fewest_interruptions`."""
-    with _search(layers, None) as search:
+    with _search(layers, progress) as search:
         first = search.first_positions(Subset(), _reach(layers, epsilon, strict=True), "gaps of the path")
     edges = _edges(first, closed=layers.closed)
     ranges, begin, end = list[tuple[int, int]](), 0, len(first) - 1
