@@ -158,6 +158,7 @@ benchmark-peers: $(READY)
 	$(BIN)/python benchmarks/motionbenchmaker.py --peers mplib --out docs/benchmarks/motionbenchmaker_mplib.md --picture docs/pictures/motionbenchmaker_mplib.png
 	$(BIN)/python benchmarks/timed_motions.py
 	$(BIN)/python benchmarks/servo.py
+	$(BIN)/python docs/pictures/servo_film.py
 
 benchmark-paths: $(READY)
 	$(BIN)/python benchmarks/path_suite.py

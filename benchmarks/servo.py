@@ -1,11 +1,11 @@
 """`mp.Servo` on twist streams through, along and out of singularities, beside our controller and rules of the literature.
 
 Run with `.venv/bin/python benchmarks/servo.py`; environments of the peers are made on the first run. Writes
-docs/benchmarks/servo.md and docs/pictures/servo_laws.png. With --random 240 it runs that number of random streams instead, in
-as many processes as there are cores, and writes docs/benchmarks/servo_random.md. Streams are those of servo_streams.py, the
-judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular
-postures, and random streams that begin at or near random singular postures of six arms, for `mp.Servo` alone. Arms have no
-jerk limits here.
+docs/benchmarks/servo.md; docs/pictures/servo_film.py draws some of the streams. With --random 240 it runs that number of random
+streams instead, in as many processes as there are cores, and writes docs/benchmarks/servo_random.md. Streams are those of
+servo_streams.py, the judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12 directions out
+of five singular postures, and random streams that begin at or near random singular postures of six arms, for `mp.Servo` alone.
+Arms have no jerk limits here.
 
 - share near: tool speed along the command over the largest that joint speeds and braking allow with at most 0.3 of it across,
   within 1 s of a smallest singular value below 0.05 m (0.3 m per radian)
@@ -38,14 +38,11 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import example_robot_data as erd
-import matplotlib.pyplot as plt
 import numpy as np
 from rich.progress import track
 from servo_judge import DT, LENGTH, Arm, Array, Law, Run, arms, arrival, judge, leaving_bound, simulate
 from servo_laws import LAWS, Ours, robot_of
 from servo_streams import POSTURES, Stream, designed, is_walk, steady, touching
-
-from manipplan.viz.style import OPTIMUM
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
@@ -53,24 +50,10 @@ from run import run_peer  # noqa: E402
 
 OUT = ROOT / "docs" / "benchmarks" / "servo.md"
 RANDOM = OUT.with_name("servo_random.md")
-PICTURE = ROOT / "docs" / "pictures" / "servo_laws.png"
 PEERS = ("pink", "placo", "roboplan", "embodik")
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
 #: Way of the leaving test [m], and the time for it [s].
 DISTANCE, LEAVING = 0.02, 4.0
-#: Streams of the picture, and what they do.
-SHOWN = {
-    "ur5 elbow in and out": "UR5: to the edge and back, 5 times",
-    "xarm7 zero start": "xArm7: from its zeros",
-    "ur5 wrist past": "UR5: past a straight wrist, 8 times",
-}
-#: The worse settings of peers.
-NOT_SHOWN = (
-    "pink 4.4, as it comes",
-    "placo 0.10, less regularization",
-    "roboplan-oink 0.7, as it comes",
-    "EmbodiK 0.23, as it comes",
-)
 Figures = dict[str, float]
 
 
@@ -206,13 +189,12 @@ HEAD = (
 )
 
 
-def designed_streams(models: dict[str, Arm], environments: Path) -> tuple[list[str], dict[str, list[Run]]]:
-    """The table of all laws, and what each did on all streams and in all cases."""
+def designed_streams(models: dict[str, Arm], environments: Path) -> list[str]:
+    """The table of all laws."""
     streams, cases = designed(models), leaving_cases(models)
     lines = ["## Designed streams", "", HEAD, "|" + "---|" * 11]
     walks, count = ["walk" in name for name in streams], len(streams)
     arms = [models[each.arm] for each in [*streams.values(), *cases]]
-    motions: dict[str, list[Run]] = {}
 
     def add(name: str, runs: list[Run]) -> None:
         found = []
@@ -222,48 +204,13 @@ def designed_streams(models: dict[str, Arm], environments: Path) -> tuple[list[s
         leaving = [over_bound(*each) for each in zip(arms[count:], runs[count:], cases, strict=True)]
         lines.append(row(name, found, walks, leaving))
         print(lines[-1], flush=True)
-        motions[name] = runs
 
     for name, make in LAWS.items():
         add(name, own_runs(make, models, streams, cases))
     for peer in PEERS:
         for name, runs in peer_runs(peer, models, streams, cases, environments).items():
             add(name, runs)
-    return lines, motions
-
-
-def draw(motions: dict[str, list[Run]], models: dict[str, Arm], file: Path) -> None:
-    """How much of the command each law follows over time, on the streams of SHOWN."""
-    streams = designed(models)
-    places = [list(streams).index(name) for name in SHOWN]
-    laws = [name for name in motions if name not in NOT_SHOWN]
-    figure, panels = plt.subplots(
-        len(laws),
-        len(SHOWN),
-        figsize=(9.5, 0.72 * len(laws) + 0.8),
-        sharex=True,
-        sharey=True,
-        layout="constrained",
-        squeeze=False,
-    )
-    for line, law in zip(panels, laws, strict=True):
-        for ax, k, name in zip(line, places, SHOWN, strict=True):
-            arm, run = models[streams[name].arm], motions[law][k]
-            at = np.arange(0, len(run.raw), 10)
-            commands = [arm.scaled(run.twist[i]) for i in at]
-            moves = [arm.jacobian(run.q[i]) @ run.qd[i + 1] for i in at]
-            share = np.array([c @ v / max(float(c @ c), 1e-6) for c, v in zip(commands, moves, strict=True)])
-            ax.fill_between(at * DT, 0, np.clip(share, 0, 1.2), color=OPTIMUM, linewidth=0)
-            ax.fill_between(at * DT, 0, np.clip(share, -1.2, 0), color="#D55E00", linewidth=0)
-            ax.axhline(0, color="0.6", linewidth=0.6)
-            ax.set(ylim=(-0.5, 1.25), xlim=(0, 20), yticks=[0, 1], yticklabels=["0", "1"])
-            ax.spines[["top", "right"]].set_visible(False)
-        line[0].set_ylabel(law.replace("`", "").partition(",")[0], rotation=0, ha="right", va="center")
-    for ax, title in zip(panels[0], SHOWN.values(), strict=True):
-        ax.set_title(title, fontsize=10)
-    for ax in panels[-1]:
-        ax.set_xlabel("time [s]")
-    figure.savefig(file, dpi=100)
+    return lines
 
 
 @cache
@@ -315,8 +262,7 @@ def main() -> None:
         write(RANDOM, random_streams(given.random), f" --random {given.random}")
         return
     models = described()
-    lines, motions = designed_streams(models, given.environments)
-    draw(motions, models, PICTURE)
+    lines = designed_streams(models, given.environments)
     write(OUT, [*lines, "", "## Time of a step", "", *steps_from_python(models)], "")
 
 

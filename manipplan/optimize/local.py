@@ -481,6 +481,8 @@ class LocalSearch:
             if not np.isfinite(true.length.g0):
                 break
             preliminary = margin > final or floor > integral.floor
+            if start_path is not None and not wide and best is None and not preliminary:
+                best = self._confirmed(start_path, coefficients, measure_optimality(true, z))
             descent = descend(
                 true,
                 z,
@@ -537,6 +539,8 @@ class LocalSearch:
             settled = optimality.is_clear or (best is not None and best.cost.g - cost.g <= SETTLED * cost.g)
             # a confirmed optimum may have a slightly larger g
             worth = CONFIRMED if agrees and (optimality.reached or not backed_off) else 0.0
+            if best is not None and best.optimality.reached:
+                worth = 0.0 if candidate.optimality.reached else -CONFIRMED
             best = candidate if best is None or cost.g < best.cost.g * (1 + worth) else best
             converged = optimality.reached or not descent.exhausted
             if not np.isfinite(cost.g) or self.until is Until.PROVEN:
@@ -548,6 +552,14 @@ class LocalSearch:
         if best is not None:
             self.accepted.append(best)
         return best
+
+    def _confirmed(self, path: JointPath, coefficients: Array, optimality: Optimality) -> Candidate | None:
+        """A path where descents begin, if it is an optimum already, inside the limits and proven free; else None."""
+        if not (optimality.reached and self.inside_limits(path) and self.keeps(path)):
+            return None
+        solver = "the first-order conditions hold where the descent began"
+        cost = self.program.integral.cost(path)
+        return Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
 
     def _accept_late(self, path: JointPath, coefficients: Array, best: Candidate | None) -> NoReturn:
         """Accept the path that is reached at the deadline if it is proven free, and the best one before it."""
@@ -566,7 +578,7 @@ class LocalSearch:
     def margins(self, start_path: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.
 
-        Wide ones come before the final one, with `kept` only those that this path has. One of them is enough for a path that
+        Wide ones come before the final one, with `start_path` only those that this path has. One of them is enough for a path that
         only has to be proven, and a path near an optimum needs none.
         """
         wide = [margin for margin in WIDE_MARGINS if margin < self.room] if self.clearance < ROUND else []

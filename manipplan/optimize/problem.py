@@ -49,7 +49,7 @@ WARM_START_DEGREE, STRIDE = 6, 3
 TIE = 1e-5
 #: A confirmed optimum is returned instead of the first path if its g is not above that one's by more than this share, which
 #: covers where descents end; another path if it is not above by more than the accuracy of g.
-CONFIRMED_TIE = 1e-8
+CONFIRMED_TIE = 1e-6
 #: Maximum number of further first paths without obstacles, where the best path crosses singularities more often than it must.
 MORE_PATHS = 3
 
