@@ -367,8 +367,12 @@ def _path_result(
         path=joints,
         # a seed that is the path itself remains the same object, by which pictures know that there is only one path
         seed=joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath),
-        **{name: float(numbers[name]) for name in ("g", "length", "min_manipulability", "min_at", "missing")},
-        **{name: float(data[name]) for name in ("power", "floor")},
+        g=float(numbers["g"]),
+        length=float(numbers["length"]),
+        min_manipulability=float(numbers["min_manipulability"]),
+        min_at=float(numbers["min_at"]),
+        power=float(data["power"]),
+        floor=float(data["floor"]),
         task=from_json(data["task"], Task),
         measure=restore_measure(path, data["measure"], measure),
         metric=_maybe(data["metric"], read_array),
@@ -377,6 +381,7 @@ def _path_result(
         status=Status[numbers["status"]],
         certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
         first_paths=int(numbers["first_paths"]),
+        missing=float(numbers["missing"]),
     )
 
 
