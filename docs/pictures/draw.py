@@ -24,6 +24,14 @@ HERE = Path(__file__).parent
 FIXED = {"svg.hashsalt": "manipplan", "svg.fonttype": "path", "axes.titlelocation": "center", "legend.fontsize": 9}
 
 
+#: What else a row of `flow` is taken for.
+MORE = {
+    "plan": "each move of mp.sequence; one arm or two",
+    "follow": "paths of a program; mp.carry with both hands",
+    "improve": "",
+}
+
+
 def flow():
     """Data flow from the user's input to a plan."""
     figure, ax = plt.subplots(figsize=(9.2, 3.7))
@@ -39,11 +47,15 @@ def flow():
             box(ax, 2 + 20 * k, y, 15, text, colour if k else "#FFFFFF", ARM if k == 0 else "#FFFFFF")
             if k:
                 arrow(ax, (17 + 20 * (k - 1), y), (2 + 20 * k, y))
-        ax.text(19.5, y + 4.6, f"mp.{job}", ha="center", color=colour, weight="bold", fontsize=10)
+        title = ax.text(2.0, y + 4.6, f"mp.{job}", color=colour, weight="bold", fontsize=10)
+        beside = {"xycoords": title, "textcoords": "offset points", "color": ARM, "fontsize": 8.5}
+        ax.annotate(MORE[job], (1.0, 0.0), (8.0, 0.0), **beside)
         arrow(ax, (57, y), (62, 18 + (y - 18) / 6))
     box(ax, 62, 18, 12, "retime\nq(t) within\nall limits", ARM, "#FFFFFF")
     arrow(ax, (74, 18), (78, 18))
     box(ax, 78, 18, 12, "Report\nevery number\nmeasured", ARM, "#FFFFFF")
+    arrow(ax, (84, 9.5), (84, 14.8))
+    ax.text(84, 6.0, "any trajectory:\nmp.check", ha="center", va="center", color=ARM, fontsize=8.5, linespacing=1.3)
     return figure
 
 
@@ -53,7 +65,7 @@ def box(ax, x, y, width, text, colour, ink):
         (x, y - 3.2), width, 6.4, boxstyle="round,pad=0,rounding_size=1", facecolor=colour, edgecolor=ARM, linewidth=0.8
     )
     ax.add_patch(patch)
-    ax.text(x + width / 2, y, text, ha="center", va="center", color=ink, fontsize=8.5, linespacing=1.3)
+    ax.text(x + width / 2, y, text, ha="center", va="center", color=ink, fontsize=8.5, linespacing=1.15)
 
 
 def arrow(ax, begin, end, colour=ARM, **options):
