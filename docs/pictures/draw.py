@@ -161,7 +161,7 @@ def proof():
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     path = mp.optimize_path(
-        arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], objective=mp.PathObjective(power=2), scene=post, clearance=0.02
+        arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], objective=mp.PathObjective(power=2), scene=post, clearance=0.04
     ).path
     model = post.collision_model(arm)
     s = np.linspace(0, 1, 801)
@@ -178,12 +178,12 @@ def proof():
             pieces.append((a, b, low))
         else:
             stack += [(a, middle), (middle, b)]
-    for a, b, low in pieces:
-        ax.plot([a, b], [low, low], color=OPTIMUM, linewidth=2)
-        ax.fill_between([a, b], 0, low, color=OPTIMUM, alpha=0.12, linewidth=0)
+    begins, ends, lows = zip(*sorted(pieces), strict=True)
+    ax.stairs(lows, [*begins, 1.0], color=OPTIMUM, alpha=0.12, fill=True)
+    ax.hlines(lows, begins, ends, color=OPTIMUM, linewidth=2)
     ax.plot(s, distance, color=ARM, label="measured distance")
     ax.plot([], [], color=OPTIMUM, label=f"bounds of {len(pieces)} pieces")
-    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="requested clearance")
+    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="clearance to be proven")
     ax.set(xlabel="s", ylabel="distance [m]", xlim=(0, 1), ylim=(0, None))
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, 1.17))
     return figure
