@@ -24,6 +24,14 @@ HERE = Path(__file__).parent
 FIXED = {"svg.hashsalt": "manipplan", "svg.fonttype": "path", "axes.titlelocation": "center", "legend.fontsize": 9}
 
 
+#: What else a row of `flow` is taken for.
+MORE = {
+    "plan": "each move of mp.sequence; one arm or two",
+    "follow": "paths of a program; mp.carry with both hands",
+    "improve": "",
+}
+
+
 def flow():
     """Data flow from the user's input to a plan."""
     figure, ax = plt.subplots(figsize=(9.2, 3.7))
@@ -39,11 +47,15 @@ def flow():
             box(ax, 2 + 20 * k, y, 15, text, colour if k else "#FFFFFF", ARM if k == 0 else "#FFFFFF")
             if k:
                 arrow(ax, (17 + 20 * (k - 1), y), (2 + 20 * k, y))
-        ax.text(19.5, y + 4.6, f"mp.{job}", ha="center", color=colour, weight="bold", fontsize=10)
+        title = ax.text(2.0, y + 4.6, f"mp.{job}", color=colour, weight="bold", fontsize=10)
+        beside = {"xycoords": title, "textcoords": "offset points", "color": ARM, "fontsize": 8.5}
+        ax.annotate(MORE[job], (1.0, 0.0), (8.0, 0.0), **beside)
         arrow(ax, (57, y), (62, 18 + (y - 18) / 6))
     box(ax, 62, 18, 12, "retime\nq(t) within\nall limits", ARM, "#FFFFFF")
     arrow(ax, (74, 18), (78, 18))
     box(ax, 78, 18, 12, "Report\nevery number\nmeasured", ARM, "#FFFFFF")
+    arrow(ax, (84, 9.5), (84, 14.8))
+    ax.text(84, 6.0, "any trajectory:\nmp.check", ha="center", va="center", color=ARM, fontsize=8.5, linespacing=1.3)
     return figure
 
 
@@ -53,7 +65,7 @@ def box(ax, x, y, width, text, colour, ink):
         (x, y - 3.2), width, 6.4, boxstyle="round,pad=0,rounding_size=1", facecolor=colour, edgecolor=ARM, linewidth=0.8
     )
     ax.add_patch(patch)
-    ax.text(x + width / 2, y, text, ha="center", va="center", color=ink, fontsize=8.5, linespacing=1.3)
+    ax.text(x + width / 2, y, text, ha="center", va="center", color=ink, fontsize=8.5, linespacing=1.15)
 
 
 def arrow(ax, begin, end, colour=ARM, **options):
@@ -149,7 +161,7 @@ def proof():
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     post = mp.Scene([mp.Cylinder(radius=0.12, length=1.0, position=(0.03, 2.2, 0.0), name="post")])
     path = mp.optimize_path(
-        arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], objective=mp.PathObjective(power=2), scene=post, clearance=0.02
+        arm, [0.0, 1.5, -2.0], [np.pi, -2.0, 2.0], objective=mp.PathObjective(power=2), scene=post, clearance=0.04
     ).path
     model = post.collision_model(arm)
     s = np.linspace(0, 1, 801)
@@ -166,12 +178,12 @@ def proof():
             pieces.append((a, b, low))
         else:
             stack += [(a, middle), (middle, b)]
-    for a, b, low in pieces:
-        ax.plot([a, b], [low, low], color=OPTIMUM, linewidth=2)
-        ax.fill_between([a, b], 0, low, color=OPTIMUM, alpha=0.12, linewidth=0)
+    begins, ends, lows = zip(*sorted(pieces), strict=True)
+    ax.stairs(lows, [*begins, 1.0], color=OPTIMUM, alpha=0.12, fill=True)
+    ax.hlines(lows, begins, ends, color=OPTIMUM, linewidth=2)
     ax.plot(s, distance, color=ARM, label="measured distance")
     ax.plot([], [], color=OPTIMUM, label=f"bounds of {len(pieces)} pieces")
-    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="requested clearance")
+    ax.axhline(0.02, color=OBSTACLE, linestyle="--", label="clearance to be proven")
     ax.set(xlabel="s", ylabel="distance [m]", xlim=(0, 1), ylim=(0, None))
     ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, 1.17))
     return figure
