@@ -93,17 +93,14 @@ class Arm:
         return np.clip(qd - change, lowest, highest), np.clip(qd + change, lowest, highest)
 
     def stopping(self, q: Array) -> tuple[Array, Array]:
-        """The velocities from which the joints can stop inside their limits."""
-        lowest, highest = -self._fastest(q - self.lower), self._fastest(self.upper - q)
-        return np.minimum(lowest, highest), highest
-
-    def _fastest(self, room: Array) -> Array:
-        change = self.acceleration * DT
+        """The velocities from which the joints can stop inside their limits; of one q or many (..., n)."""
+        room, change = np.array([q - self.lower, self.upper - q]), self.acceleration * DT
         free = np.isinf(room)
-        room = np.where(free, 0.0, room)
+        room[free] = 0.0
         steps = np.floor((np.sqrt(1 + 8 * np.maximum(room, 0) / (DT * change)) - 1) / 2)
         speed = np.clip(room / (DT * (steps + 1)) + change * steps / 2, -self.velocity, self.velocity)
-        return np.asarray(np.where(free, self.velocity, speed))
+        below, above = np.where(free, self.velocity, speed)
+        return np.minimum(-below, above), above
 
 
 def arms(file: Path) -> dict[str, Arm]:
@@ -169,7 +166,7 @@ def judge(arm: Arm, run: Run) -> dict[str, float]:
     """The figures of one stream, see servo.py."""
     raw, before = np.nan_to_num(run.raw), run.qd[:-1]
     found: dict[str, float] = {"errors": run.errors, "halts": run.halts}
-    lowest, highest = np.array([arm.stopping(q) for q in run.q[:-1]]).transpose(1, 0, 2)
+    lowest, highest = arm.stopping(run.q[:-1])
     found["over_velocity"] = float((np.abs(raw) / arm.velocity).max() - 1)
     found["over_acceleration"] = float((np.abs(raw - before) / DT / arm.acceleration).max() - 1)
     moved = run.q[:-1] + DT * raw
