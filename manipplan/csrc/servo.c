@@ -57,6 +57,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define VANISHED 1e-11   /* σ whose v is rounding [m] */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
+#define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
 typedef struct {
     /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
@@ -88,8 +89,9 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; the nearest knot, whether it is known, and the planned positions there */
-    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
+       which of these there are; for how long each joint stays at its limit; the nearest knot, whether it is known, and the planned
+       positions there */
+    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
     long guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
     /* the result */
@@ -919,9 +921,11 @@ static int follow_twist(Servo *servo, double *velocity) {
     for (long i = 0; i < whole.n; i++) {
         long j = whole.joint[i];
         double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
-        int stands = (force[j] > 0 && servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near)
-                  || (force[j] < 0 && servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near);
-        if (stands) fixed[j] = velocity[j], blocked++;
+        int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
+        int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
+        if ((above && force[j] > 0) || (below && force[j] < 0)) servo->stays[j] = STAYING;
+        else servo->stays[j] = above || below ? servo->stays[j] - duration(servo) : 0;
+        if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]), blocked++;
         else free.joint[free.n++] = j;
     }
     if (solved && blocked && free.n) {
@@ -1072,6 +1076,7 @@ static long read_command(Servo *servo) {
 static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
+    memset(servo->stays, 0, sizeof servo->stays);
     servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
 }
 
