@@ -1,19 +1,20 @@
 """`mp.Servo` on twist streams through, along and out of singularities, beside our controller and rules of the literature.
 
 Run with `.venv/bin/python benchmarks/servo.py`; environments of the peers are made on the first run. Writes
-docs/benchmarks/servo.md; docs/pictures/servo_film.py draws some of the streams. With --random 240 it runs that number of random
-streams instead, in as many processes as there are cores, and writes docs/benchmarks/servo_random.md. Streams are those of
-servo_streams.py, the judge is servo_judge.py: 17 designed streams of 20 s for all laws, 20 mm from rest along 12 directions out
-of five singular postures, and random streams that begin at or near random singular postures of six arms, for `mp.Servo` alone.
-Arms have no jerk limits here.
+docs/benchmarks/servo.md; docs/pictures/servo_film.py draws some of the streams. With --random 300 it runs that number of
+random streams instead, in as many processes as there are cores, and writes docs/benchmarks/servo_random.md; with --steps it
+prints times of a step, which want a quiet machine. Streams are those of servo_streams.py, the judge is servo_judge.py: 17
+designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular postures, and random streams
+that begin at or near random singular postures of six arms, for `mp.Servo` alone. Arms have no jerk limits here.
 
 - share near: tool speed along the command over the largest that joint speeds and braking allow with at most 0.3 of it across,
   within 1 s of a smallest singular value below 0.05 m (0.3 m per radian)
 - followed: share of the command over everything, at the edge of the reach as well
 - stalled: time in windows of 0.25 s with less than 5 % followed, although a pose 5 mm ahead is reachable
 - backward: share of samples that move backward by more than 2 % of the command
-- avoidable: stalls and samples backward that are not for want of time: velocities that the joints could have reached in 0.1 s
-  follow 5 % in the mean, or move forward
+- avoidable: stalls and samples backward that are not for want of time. The judge seeks the best of all velocities that joints
+  could have reached in 0.1 s, with at most 0.3 of motion across in each direction: it follows 5 % in the mean of a stall's
+  window, or does not move backward
 - chatter: changes of sign of joint accelerations above 2 % of their limits, per second and joint
 - over limits: of the raw command; -0.6 is 40 % of a limit
 - exceptions, step: number of calls that raised, after which the command is zero, and median time of a call from Python
@@ -189,8 +190,14 @@ HEAD = (
 )
 
 
-def designed_streams(models: dict[str, Arm], environments: Path) -> list[str]:
-    """The table of all laws."""
+def rows_of_peers() -> list[str]:
+    """The rows of peers in the table as it stands."""
+    rows = [line for line in OUT.read_text().splitlines() if line.count("|") == HEAD.count("|")]
+    return [line for line in rows[2:] if line[2:].partition(" | ")[0] not in LAWS]
+
+
+def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[str]:
+    """The table of all laws; without environments peers keep their rows."""
     streams, cases = designed(models), leaving_cases(models)
     lines = ["## Designed streams", "", HEAD, "|" + "---|" * 11]
     walks, count = ["walk" in name for name in streams], len(streams)
@@ -207,6 +214,8 @@ def designed_streams(models: dict[str, Arm], environments: Path) -> list[str]:
 
     for name, make in LAWS.items():
         add(name, own_runs(make, models, streams, cases))
+    if environments is None:
+        return lines + rows_of_peers()
     for peer in PEERS:
         for name, runs in peer_runs(peer, models, streams, cases, environments).items():
             add(name, runs)
@@ -244,12 +253,16 @@ def random_streams(count: int) -> list[str]:
         if each:
             lines.append(row(name, each, walking[name], []).rpartition("| 0 of 0")[0] + "|")
     every = [each for part in by_arm.values() for each in part]
+
+    def having(figure: str) -> int:
+        return sum(each[figure] > 0 for each in every)
+
     return [
         *lines,
         "",
-        f"Of {len(every)} streams of 20 s, {sum(each['stalled'] > 0 for each in every)} have a stall, "
-        f"{sum(each['backward'] > 0 for each in every)} a sample that moves backward, and {halts} steps halted or raised. In "
-        f"{sum(each['avoidable'] > 0 for each in every)} of these the joints could have reached better velocities in 0.1 s.",
+        f"Of {len(every)} streams of 20 s, {having('stalled')} stall, avoidably {having('stalls_avoidable')}, "
+        f"and {having('backward')} have a sample that moves backward, avoidably {having('backward_avoidable')}. "
+        f"{halts} steps halted or raised.",
     ]
 
 
@@ -257,13 +270,18 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--random", type=int, metavar="COUNT", help="number of random streams to run instead")
     parser.add_argument("--environments", type=Path, default=ROOT / ".peers", help="folder of the peers' environments")
+    parser.add_argument("--own", action="store_true", help="run the laws of this environment; peers keep their rows")
+    parser.add_argument("--steps", action="store_true", help="only print the times of a step")
     given = parser.parse_args()
+    if given.steps:
+        print("\n".join(steps_from_python({"panda": described()["panda"]})))
+        return
     if given.random:
         write(RANDOM, random_streams(given.random), f" --random {given.random}")
         return
     models = described()
-    lines = designed_streams(models, given.environments)
-    write(OUT, [*lines, "", "## Time of a step", "", *steps_from_python(models)], "")
+    lines = designed_streams(models, None if given.own else given.environments)
+    write(OUT, lines, " --own" if given.own else "")
 
 
 def write(file: Path, lines: list[str], options: str) -> None:

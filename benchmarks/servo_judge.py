@@ -93,17 +93,14 @@ class Arm:
         return np.clip(qd - change, lowest, highest), np.clip(qd + change, lowest, highest)
 
     def stopping(self, q: Array) -> tuple[Array, Array]:
-        """The velocities from which the joints can stop inside their limits."""
-        lowest, highest = -self._fastest(q - self.lower), self._fastest(self.upper - q)
-        return np.minimum(lowest, highest), highest
-
-    def _fastest(self, room: Array) -> Array:
-        change = self.acceleration * DT
+        """The velocities from which the joints can stop inside their limits; of one q or many (..., n)."""
+        room, change = np.array([q - self.lower, self.upper - q]), self.acceleration * DT
         free = np.isinf(room)
-        room = np.where(free, 0.0, room)
+        room[free] = 0.0
         steps = np.floor((np.sqrt(1 + 8 * np.maximum(room, 0) / (DT * change)) - 1) / 2)
         speed = np.clip(room / (DT * (steps + 1)) + change * steps / 2, -self.velocity, self.velocity)
-        return np.asarray(np.where(free, self.velocity, speed))
+        below, above = np.where(free, self.velocity, speed)
+        return np.minimum(-below, above), above
 
 
 def arms(file: Path) -> dict[str, Arm]:
@@ -169,7 +166,7 @@ def judge(arm: Arm, run: Run) -> dict[str, float]:
     """The figures of one stream, see servo.py."""
     raw, before = np.nan_to_num(run.raw), run.qd[:-1]
     found: dict[str, float] = {"errors": run.errors, "halts": run.halts}
-    lowest, highest = np.array([arm.stopping(q) for q in run.q[:-1]]).transpose(1, 0, 2)
+    lowest, highest = arm.stopping(run.q[:-1])
     found["over_velocity"] = float((np.abs(raw) / arm.velocity).max() - 1)
     found["over_acceleration"] = float((np.abs(raw - before) / DT / arm.acceleration).max() - 1)
     moved = run.q[:-1] + DT * raw
@@ -190,7 +187,7 @@ def flips(acceleration: Array, limit: float) -> int:
 
 def _following(arm: Arm, run: Run) -> dict[str, float]:
     share, bound, sigma, angle, slip, speed, at = [], [], [], [], [], [], []
-    avoidable = 0
+    backward_avoidable = stalls_avoidable = 0
     for k in range(0, len(run.raw), EVERY):
         command = arm.scaled(run.twist[k])
         size = float(np.linalg.norm(command))
@@ -202,9 +199,9 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
         across = float(np.linalg.norm(moves - forward * along))
         at.append(k)
         share.append(forward / size)
-        bound.append(_possible(jacobian, command, *arm.stopping(run.q[k])))
+        bound.append(_possible(jacobian, command, *arm.stopping(run.q[k])) or 0.0)
         if share[-1] < BACKWARD:
-            avoidable += bool(_in_time(arm, run, k, jacobian, command) > 0)
+            backward_avoidable += _in_time(arm, run, k, jacobian, command) is not None
         sigma.append(np.linalg.svd(jacobian, compute_uv=False)[-1])
         angle.append(np.degrees(np.arctan2(across, forward)))
         slip.append(across / size)
@@ -218,30 +215,37 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
             middle = at[i + window // 2]
             if _reachable(arm, run.q[middle], run.twist[middle]):
                 stalls += 1
-                best = [_in_time(arm, run, k, arm.jacobian(run.q[k]), arm.scaled(run.twist[k])) for k in at[i : i + window]]
-                avoidable += bool(np.mean(best) >= STALLED)
+                best = [
+                    _in_time(arm, run, k, arm.jacobian(run.q[k]), arm.scaled(run.twist[k])) or 0.0 for k in at[i : i + window]
+                ]
+                stalls_avoidable += bool(np.mean(best) >= STALLED)
     near = np.minimum(followed, limit)[counts].sum() / limit[counts].sum() if counts.any() else np.nan
     return {
         "near": float(near),
         "followed": float(followed.mean()),
         "backward": float((np.array(share) < BACKWARD).mean()),
-        "avoidable": avoidable,
+        "backward_avoidable": backward_avoidable,
         "angle": float(np.mean(np.array(angle)[moving])) if moving.any() else 0.0,
         "slip": float(np.mean(slip)),
         "stalled": stalls * WINDOW,
+        "stalls_avoidable": stalls_avoidable,
         "least_sigma": float(np.min(sigma)),
     }
 
 
-def _in_time(arm: Arm, run: Run, k: int, jacobian: Array, command: Array) -> float:
-    """Largest share of a command at step k by velocities that the joints could have reached in REACTION."""
+def _in_time(arm: Arm, run: Run, k: int, jacobian: Array, command: Array) -> float | None:
+    """Largest share of a command at step k by velocities that the joints could have reached in REACTION; None as below."""
     low, high = arm.stopping(run.q[k])
     before, change = run.qd[max(k - round(REACTION / DT), 0)], arm.acceleration * REACTION
     return _possible(jacobian, command, np.clip(before - change, low, high), np.clip(before + change, low, high))
 
 
-def _possible(jacobian: Array, command: Array, low: Array, high: Array) -> float:
-    """Largest share of a command (m,) that joint velocities make with at most CONE of motion across it."""
+def _possible(jacobian: Array, command: Array, low: Array, high: Array) -> float | None:
+    """Largest share of a command (m,) that joint velocities make with at most CONE of motion across it.
+
+    A tool that rests is inside the cone: 0 where the best that velocities can do is to keep it at rest, and None where all of
+    them move it backward or out of the cone.
+    """
     import daqp  # not in every peer's environment, which simulates but does not judge
 
     m, n = jacobian.shape
@@ -258,7 +262,7 @@ def _possible(jacobian: Array, command: Array, low: Array, high: Array) -> float
     cost = np.zeros(n + m)
     cost[n] = -1
     x, _, flag, _ = daqp.solve(1e-7 * np.eye(n + m), cost, matrix, upper, lower, sense)
-    return float(np.clip(x[n] / size, 0, 1)) if flag > 0 else 0.0
+    return float(np.clip(x[n] / size, 0, 1)) if flag > 0 else None
 
 
 def moved(pose: pin.SE3, twist: Array, seconds: float) -> pin.SE3:

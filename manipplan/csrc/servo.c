@@ -48,6 +48,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define BRAKING 0.7      /* share of the acceleration with which a fold is approached */
 #define PASSING 0.7      /* share of the least damping that a pole's passage needs */
 #define NUDGE 3e-4       /* σ that a pole is taken to have at least where the command is along its lost direction [m] */
+#define AT_POLE 0.5      /* and as a share of the damping: no joint slows down where all of the command is lost */
 #define ARRIVAL 1e-3     /* σ at which an approach of a fold ends [m]: keeps v defined, and costs 5 µm of reach */
 #define GUARDED 5e-4     /* σ of a fold that is not fallen below [m] */
 #define BENT 0.05        /* curvature from which a singularity is a fold */
@@ -56,6 +57,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define VANISHED 1e-11   /* σ whose v is rounding [m] */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
+#define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
 typedef struct {
     /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
@@ -87,8 +89,9 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; the nearest knot, whether it is known, and the planned positions there */
-    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
+       which of these there are; for how long each joint stays at its limit; the nearest knot, whether it is known, and the planned
+       positions there */
+    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
     long guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
     /* the result */
@@ -544,7 +547,7 @@ static void singular_rates(const Servo *servo, Work *w) {
             bend = most(bend, value[0]);
         }
         double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
-        double sd = most(s, NUDGE * share * share * clip(1 - bend / STRAIGHT, 0, 1));
+        double sd = most(s, most(NUDGE, AT_POLE * lambda) * share * share * clip(1 - bend / STRAIGHT, 0, 1));
         double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
         double fade = clip(bend / BENT, 0, 1), cap = fastest;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
@@ -590,7 +593,7 @@ static void escape(const Servo *servo, Work *w) {
         for (long l = 0; l < w->m; l++) u[l] += w->b[k] / lost * w->U[k][l];
     second_order(servo, w, u, M);
     restricted(w, M, N, d, K);
-    double copy[MOST][MOST], ahead[MOST], now[MOST], memory[MOST], before[MOST] = {0}, weight = 1e-2;
+    double copy[MOST][MOST], ahead[MOST], now[MOST], memory[MOST], turning[MOST], before[MOST] = {0}, weight = 1e-2;
     memcpy(copy, K, sizeof copy);
     eigen(d, copy, value, vector);
     /* the way that was taken in the last step, the side from which the arm came, or the last way */
@@ -605,6 +608,10 @@ static void escape(const Servo *servo, Work *w) {
         if (servo->side == OTHER && w->has_inside && !servo->leaves) memory[a] = -memory[a];
         for (long i = 0; i < n; i++) before[i] += N[a][i] * memory[a];
     }
+    for (long i = 0; i < n; i++) { /* how fast each joint turns the lost direction away from the command [1/rad] */
+        turning[i] = 0;
+        for (long k = 0; k < first; k++) turning[i] += dot(n, M[i], w->V[k]) * w->b[k] / w->s[k] / lost;
+    }
     weight *= least(room(servo, w, before) / AHEAD, 1); /* a way that the limits end counts the less, the nearer its end */
     double best[MOST] = {0}, score = -INFINITY, way[MOST], length = sqrt(dot(d, ahead, ahead));
     for (int candidate = 0; candidate < (length > 1e-12 ? 3 : 2); candidate++) {
@@ -618,7 +625,7 @@ static void escape(const Servo *servo, Work *w) {
         now_along = dot(d, e, now);
         double left = room(servo, w, way), far = least(left, AHEAD);
         double value_of = far * dot(d, ahead, e) + 0.5 * far * far * bent + weight * dot(d, e, memory)
-                        + 1e-4 * least(left, 1) + 1e-6 * tanh(now_along / 0.05);
+                        + 1e-4 * least(left, 1) + 1e-3 * tanh(dot(n, way, turning)) + 1e-6 * tanh(now_along / 0.05);
         if (value_of > score) score = value_of, memcpy(best, e, sizeof best);
     }
     double bent = 0, rise = dot(d, ahead, best);
@@ -635,23 +642,39 @@ static void escape(const Servo *servo, Work *w) {
             w->g[first + a] = (1 - blend) * w->g[first + a] + blend * best[a] * speed;
             w->w[first + a] = most(w->w[first + a], EPSILON);
         }
+        for (long c = 0; c < w->guards; c++) /* the way may lead through the fold, as from a start in it */
+            w->fall[c] += least(dot(n, w->guard[c], way), 0) * blend * speed;
         memcpy(w->way, way, sizeof way);
         w->has_way = w->leaves = 1;
         return;
     }
-    double sharpest = 0, smallest = w->s[w->r - 1];
+    /* the same for what has vanished, each direction the more the smaller its σ; where K vanishes there too, it is turned */
+    double gone = 0, sharpest = 0, part[MOST], Z[MOST][MOST];
+    memset(u, 0, sizeof u);
+    for (long a = 0; a < d; a++) {
+        part[a] = a < w->r - first ? clip(2 - 2 * w->s[first + a] / TURNED, 0, 1) : 1;
+        for (long i = 0; i < n; i++) Z[a][i] = part[a] * N[a][i];
+        if (a < w->r - first) gone += part[a] * part[a] * w->b[first + a] * w->b[first + a];
+    }
+    gone = sqrt(gone);
+    if (gone <= 0.7 * w->size) return;
+    for (long a = 0; a < w->r - first; a++)
+        for (long l = 0; l < w->m; l++) u[l] += part[a] * w->b[first + a] / gone * w->U[first + a][l];
+    second_order(servo, w, u, M);
+    restricted(w, M, Z, d, K);
+    eigen(d, K, value, vector);
     for (long a = 0; a < d; a++) sharpest = most(sharpest, fabs(value[a]));
-    if (lost <= 0.7 * w->size || smallest >= TURNED || sharpest >= BENT) return;
-    /* R = Nᵀ M (I - N Nᵀ): how fast motions in N turn the lost direction; the top left singular vector of R */
+    if (sharpest >= BENT) return;
+    /* R = Zᵀ M (I - N Nᵀ): how fast motions in Z turn the direction; the top left singular vector of R */
     double R[MOST][MOST], RR[MOST][MOST];
     for (long a = 0; a < d; a++) {
         for (long j = 0; j < n; j++) {
             R[a][j] = 0;
-            for (long i = 0; i < n; i++) R[a][j] += N[a][i] * M[i][j];
+            for (long i = 0; i < n; i++) R[a][j] += Z[a][i] * M[i][j];
         }
         for (long c = 0; c < d; c++) {
-            double part = dot(n, R[a], N[c]);
-            for (long j = 0; j < n; j++) R[a][j] -= part * N[c][j];
+            double along_it = dot(n, R[a], N[c]);
+            for (long j = 0; j < n; j++) R[a][j] -= along_it * N[c][j];
         }
     }
     for (long a = 0; a < d; a++)
@@ -662,14 +685,13 @@ static void escape(const Servo *servo, Work *w) {
     double toward = 0;
     for (long i = 0; i < n; i++) {
         way[i] = 0;
-        for (long a = 0; a < d; a++) way[i] += N[a][i] * vector[0][a];
+        for (long a = 0; a < d; a++) way[i] += Z[a][i] * vector[0][a];
         toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
     }
     double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
-    double share = (1 - smallest / TURNED) * (lost / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1)
-                 * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
+    double share = (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
     for (long a = 0; a < d; a++) {
-        w->g[first + a] += share * (turn * vector[0][a] * fastest - w->g[first + a]);
+        w->g[first + a] += share * part[a] * (turn * vector[0][a] * fastest - w->g[first + a]);
         w->w[first + a] = most(w->w[first + a], EPSILON);
     }
     for (long i = 0; i < n; i++) w->way[i] = turn * way[i];
@@ -899,9 +921,11 @@ static int follow_twist(Servo *servo, double *velocity) {
     for (long i = 0; i < whole.n; i++) {
         long j = whole.joint[i];
         double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
-        int stands = (force[j] > 0 && servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near)
-                  || (force[j] < 0 && servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near);
-        if (stands) fixed[j] = velocity[j], blocked++;
+        int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
+        int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
+        if ((above && force[j] > 0) || (below && force[j] < 0)) servo->stays[j] = STAYING;
+        else servo->stays[j] = above || below ? servo->stays[j] - duration(servo) : 0;
+        if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]), blocked++;
         else free.joint[free.n++] = j;
     }
     if (solved && blocked && free.n) {
@@ -1052,6 +1076,7 @@ static long read_command(Servo *servo) {
 static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
+    memset(servo->stays, 0, sizeof servo->stays);
     servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
 }
 
