@@ -255,6 +255,17 @@ def test_descents_end_at_optima_at_kinks(name, number):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(("scene", "number"), [("bookshelf_thin", 7), ("box", 11)])
+def test_an_optimum_beside_an_edge_stays_optimal(panda, scene, number):
+    """A second descent from there ended at a g that was larger by 1e-7, and the seed was called better."""
+    [problem] = [each for each in problems.load("panda") if (each.set, each.number) == (scene, number)]
+    plan = mp.plan(panda, problem.start, problem.goal, problem.scene)
+    again = mp.optimize_path(panda, problem.start, problem.goal, problem.scene, seeding=mp.Seeding(initial=plan.path))
+    assert plan.status is again.status is mp.Status.OPTIMAL
+    assert abs(1 - again.g / plan.result.g) < 1e-6
+
+
+@pytest.mark.slow
 def test_twelve_first_paths_are_never_worse_than_one(tmp_path):
     made = first_paths.main(["--pairs", "1", "--out", str(tmp_path / "table.md")])
     every = [each for found in made.values() for each in found]
