@@ -94,3 +94,11 @@ def test_the_times_of_all_pages_were_measured():
     times = {name: float(time) for name, time in re.findall(r"\| (\S+/plot_\w+) \| ([\d.]+) \|", table)}
     assert set(times) == {name_of(page) for page in PAGES}
     assert max(times.values()) < 20
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_page_does_not_begin_with_an_empty_block(page):
+    """A comment for the gallery alone is not shown, but its block is."""
+    _, _, first = re.split(r"(?m)^# %%", page.read_text())[0].split('"""', 2)
+    lines = first.split("\n")
+    assert not any(lines) or any(line and not line.startswith("#") for line in lines)
