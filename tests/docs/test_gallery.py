@@ -65,7 +65,10 @@ def test_a_page_has_a_title_text_and_a_picture(page):
 
 @pytest.mark.parametrize("page", sorted(EXAMPLES.glob("**/[pl]*.py")), ids=name_of)
 def test_a_page_begins_with_its_picture_and_says_for_whom(page):
-    """The picture of a page is the one that the page draws, or a still that `make pictures` renders; it is also the thumbnail."""
+    """The picture of a page is the one that the page draws, or a still that `make pictures` renders.
+
+    It is also the thumbnail, or the thumbnail is one of its plots.
+    """
     text = page.read_text()
     _, _, blank, first, *rest = (ast.get_docstring(ast.parse(text)) or "").splitlines()
     [picture] = re.findall(r"^\.\. image:: (\S+)$", first)
@@ -76,7 +79,8 @@ def test_a_page_begins_with_its_picture_and_says_for_whom(page):
         assert (ROOT / "docs" / picture[1:]).stat().st_size < 100_000
     else:
         assert re.fullmatch(rf"images/sphx_glr_{page.stem}_\d{{3}}\.png", picture)
-        assert "sphinx_gallery_thumbnail_path" not in text
+        thumbnail = re.findall(r'sphinx_gallery_thumbnail_path = "(\S+)"', text)
+        assert thumbnail in ([], [f"pictures/{page.stem.removeprefix('plot_')}.jpg"])
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name_of)
@@ -94,3 +98,11 @@ def test_the_times_of_all_pages_were_measured():
     times = {name: float(time) for name, time in re.findall(r"\| (\S+/plot_\w+) \| ([\d.]+) \|", table)}
     assert set(times) == {name_of(page) for page in PAGES}
     assert max(times.values()) < 20
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_a_page_does_not_begin_with_an_empty_block(page):
+    """A comment for the gallery alone is not shown, but its block is."""
+    _, _, first = re.split(r"(?m)^# %%", page.read_text())[0].split('"""', 2)
+    lines = first.split("\n")
+    assert not any(lines) or any(line and not line.startswith("#") for line in lines)

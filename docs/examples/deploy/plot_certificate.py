@@ -14,11 +14,10 @@ numbers again from the exported file, with NumPy, Pinocchio and its collision li
 coal.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/certificate.jpg"
-
 # %%
 # Plan a motion among a few boxes and save the plan.
 
+# sphinx_gallery_thumbnail_path = "pictures/certificate.jpg"
 import json
 import tempfile
 from pathlib import Path

@@ -13,12 +13,11 @@ control follow it, and which torques does this take? The simulator is MuJoCo, wh
 shares no code with the planner: its inputs are the robot's URDF and a CSV file.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/mujoco_playback.jpg"
-
 # %%
 # The plan is that of the Panda among five boxes. For comparison, the planner's first
 # path, the seed, is timed within the same limits. Both are written as CSV: time,
 # positions, velocities and accelerations of all samples.
+# sphinx_gallery_thumbnail_path = "pictures/mujoco_playback.jpg"
 import csv
 import tempfile
 import xml.etree.ElementTree as ET

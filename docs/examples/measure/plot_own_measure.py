@@ -14,8 +14,6 @@ gradient, the Hessian, machine code, batches and the path optimiser without furt
 code.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/own_measure.jpg"
-
 # %%
 # The task of this page: an arm that deburrs a horizontal plate presses along z of its
 # base and slides along x. It should be **strong** in z and **fast** in x at the same
@@ -23,6 +21,7 @@ code.
 # tool along a for joint velocities of norm 1. The ratio below is large where sliding is
 # fast and pressing is strong.
 
+# sphinx_gallery_thumbnail_path = "pictures/own_measure.jpg"
 from dataclasses import dataclass
 
 import casadi as ca

@@ -16,12 +16,11 @@ below takes the place of that step with ``mp.Servo``. It needs no LeRobot, so th
 runs it on a simulated SO-100.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/lerobot.jpg"
-
 # %%
 # The step: dictionaries in, a dictionary out. The servo runs eight times per frame from
 # the positions that it commanded last. These stay within a leash of the measured ones:
 # a blocked arm does not wind up.
+# sphinx_gallery_thumbnail_path = "pictures/lerobot.jpg"
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -14,11 +14,10 @@ with all three, out to the edge of its reach, sideways, and back. Damped least s
 the usual remedy at singularities, does the same for comparison.
 """
 
-# sphinx_gallery_thumbnail_path = "pictures/servo_mujoco.jpg"
-
 # %%
 # The simulated arm: a position and a velocity actuator per joint with the gains of a
 # stiff industrial servo, cut off at the joint's effort limit, and links without meshes.
+# sphinx_gallery_thumbnail_path = "pictures/servo_mujoco.jpg"
 import collections
 import xml.etree.ElementTree as ET
 
