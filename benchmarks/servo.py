@@ -55,6 +55,8 @@ PEERS = ("pink", "placo", "roboplan", "embodik")
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
 #: Way of the leaving test [m], and the time for it [s].
 DISTANCE, LEAVING = 0.02, 4.0
+#: The row of `mp.Servo`.
+OWN = "`mp.Servo`"
 Figures = dict[str, float]
 
 
@@ -190,14 +192,14 @@ HEAD = (
 )
 
 
-def rows_of_peers() -> list[str]:
-    """The rows of peers in the table as it stands."""
+def other_rows() -> list[str]:
+    """The rows of all laws but `mp.Servo` in the table as it stands."""
     rows = [line for line in OUT.read_text().splitlines() if line.count("|") == HEAD.count("|")]
-    return [line for line in rows[2:] if line[2:].partition(" | ")[0] not in LAWS]
+    return [line for line in rows[2:] if line[2:].partition(" | ")[0] != OWN]
 
 
 def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[str]:
-    """The table of all laws; without environments peers keep their rows."""
+    """The table of all laws; without environments that of `mp.Servo` is new, and the others keep their rows."""
     streams, cases = designed(models), leaving_cases(models)
     lines = ["## Designed streams", "", HEAD, "|" + "---|" * 11]
     walks, count = ["walk" in name for name in streams], len(streams)
@@ -212,10 +214,11 @@ def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[
         lines.append(row(name, found, walks, leaving))
         print(lines[-1], flush=True)
 
+    if environments is None:
+        add(OWN, own_runs(LAWS[OWN], models, streams, cases))
+        return lines + other_rows()
     for name, make in LAWS.items():
         add(name, own_runs(make, models, streams, cases))
-    if environments is None:
-        return lines + rows_of_peers()
     for peer in PEERS:
         for name, runs in peer_runs(peer, models, streams, cases, environments).items():
             add(name, runs)
@@ -270,7 +273,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--random", type=int, metavar="COUNT", help="number of random streams to run instead")
     parser.add_argument("--environments", type=Path, default=ROOT / ".peers", help="folder of the peers' environments")
-    parser.add_argument("--own", action="store_true", help="run the laws of this environment; peers keep their rows")
+    parser.add_argument("--own", action="store_true", help="run `mp.Servo` alone; the other laws keep their rows")
     parser.add_argument("--steps", action="store_true", help="only print the times of a step")
     given = parser.parse_args()
     if given.steps:

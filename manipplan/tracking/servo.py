@@ -153,7 +153,8 @@ class Servo:
             task: the rows that are followed; default: whole twists with 0.3 m per radian, or the robot's default task where
                 this has fewer rows.
             side: which way the arm leaves the edge of its reach: to the "same" side from which it came (elbow up stays up),
-                to the "other" one, or "free": to the side with more room to joint limits.
+                to the "other" one, or "free": to the side with more room to joint limits. A
+                straight wrist is passed whatever it is: no setting keeps the arm on one side.
             avoidance: collision avoidance; None: no avoidance.
             smoothing: time constant of a low-pass filter of the command [s]; 0: none.
             timeout: time after which a command that was not renewed is stale [s].

@@ -572,6 +572,24 @@ def test_the_exported_project_builds_by_cmake(tmp_path):
         subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
 
 
+def test_what_is_followed_is_not_turned_with_what_has_vanished(servos):
+    """A joint at its limit takes one direction away; the tool moved backward along another one, whose σ is 17 mm."""
+    servo, twist = servos("so100"), np.array([-0.0181, 0.09817, -0.00587, 0.0, 0.0, 0.0])
+    q = np.array([2.0, 3.305181, -2.958311, -0.860079, -2.418525])
+    qd = np.array([0.0, 0.326785, -0.447363, -0.160505, 0.002478])
+    for _ in range(80):
+        qd = servo.step(q, qd, twist, "world")
+        assert twist[:3] @ kinematics(servo.robot, q)[1][:3] @ qd > -0.02 * twist @ twist
+        q = q + DT * qd
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_an_oblique_command_bends_a_straight_elbow(servos, sign):
+    """Downward from a straight elbow: other rows move it to the wrong side first, from where the way out leads back through 0."""
+    path, _ = drive(servos("ur5"), STRAIGHT + 1e-17 * sign, [0.0, 0.0, -0.1, 0.0, 0.0, 0.0], 0.3)
+    assert abs(path[-1, 2]) > 0.2
+
+
 @pytest.mark.parametrize(
     ("name", "start"),
     [
