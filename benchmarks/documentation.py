@@ -32,7 +32,7 @@ def main() -> None:
         newcomer = sum(times.values())
         times["**clone to first plan**"] = newcomer
         built = clone / "docs" / "_build" / "html"
-        site = seconds(python, "-m", "sphinx", "-W", "-q", "-b", "html", "docs", built, folder=clone)
+        site = seconds(python, "-m", "sphinx", "-W", "-q", "-j", "auto", "-b", "html", "docs", built, folder=clone)
         pages = len(list((clone / "docs" / "examples").glob("**/plot_*.py")))
         times[f"**site from nothing, {pages} examples run, warnings as errors**"] = site
     lines = ["| what | wall time [s] |", "|---|---|", *(f"| {name} | {value:.0f} |" for name, value in times.items())]
