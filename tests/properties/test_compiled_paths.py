@@ -116,6 +116,7 @@ def by_numpy(monkeypatch, call, *arguments):
         return call(*arguments)
 
 
+@pytest.mark.compiler
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 @pytest.mark.parametrize("power", [1, 2.0])
 def test_integrals_are_the_same_by_numpy(request, compiled, rng, monkeypatch, name, power):
@@ -134,6 +135,7 @@ def test_integrals_are_the_same_by_numpy(request, compiled, rng, monkeypatch, na
             assert replace(cost, g=0.0) == replace(by_hand, g=0.0)
 
 
+@pytest.mark.compiler
 def test_more_panels_than_there_is_room_for(ur5, rng, monkeypatch):
     integral = PathIntegral(kinematics=ur5.kinematics(compiled=True), power=1, floor=1e-6)
     path = some_path(rng, 8, 6, 6)
@@ -143,6 +145,7 @@ def test_more_panels_than_there_is_room_for(ur5, rng, monkeypatch):
     np.testing.assert_array_equal(fine, by_numpy(monkeypatch, integral.fine_panels, path))
 
 
+@pytest.mark.compiler
 def test_integrals_that_are_not_compiled(ur5, rng):
     """Other powers, a metric, and kinematics without machine code are left to NumPy."""
     path, usual = some_path(rng, 2, 4, 6), ur5.kinematics(compiled=True)

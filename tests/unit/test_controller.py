@@ -18,7 +18,6 @@ from studies.dufour2020.quasi_newton import QuasiNewton
 DT = 0.01
 REST = np.zeros(3)
 Q = np.array([0.3, 0.8, 0.7])
-compiler = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
 FORMULATIONS = [
     mp.formulations.Classical(gain=0.1),
     mp.formulations.General(),
@@ -163,7 +162,7 @@ def test_after_numbers_that_are_none_a_step_is_as_good_as_the_first(arm):
     assert hurt.report.status == mp.results.StepStatus.SOLVED
 
 
-@compiler
+@pytest.mark.compiler
 def test_what_the_solver_gives_up_brakes_in_machine_code_as_well(arm, rng):
     """The paper's (10) with a huge α is indefinite. CasADi's generated code then returns an error and writes no answer: the
     velocity of the step before must not come back as if it were solved."""
@@ -187,7 +186,7 @@ def test_what_the_solver_gives_up_brakes_in_machine_code_as_well(arm, rng):
     assert given_up > 20
 
 
-@compiler
+@pytest.mark.compiler
 def test_rollout_goes_on_where_the_solver_gives_up(arm):
     formulation = mp.formulations.Objective(alpha=1e8, convexify=False)
     path = [pose_of(arm, np.array([-2.4, 1.6, 2.1]))] * 6
@@ -487,7 +486,7 @@ def test_rollout_is_one_step_after_the_other(arm, formulation):
     assert_same_run(controller.rollout(Q, path), in_steps(controller, Q, path), near=1e-15)
 
 
-@compiler
+@pytest.mark.compiler
 @pytest.mark.parametrize(
     ("formulation", "measure"),
     [

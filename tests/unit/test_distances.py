@@ -11,7 +11,6 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from manipplan.support.compiler import find_compiler
 from manipplan.symbolic.machine_code import compiled
 from manipplan.tracking.bodies import SymbolicBox, SymbolicCapsule, SymbolicPlane, nearest
 
@@ -334,7 +333,7 @@ def test_sparse_constants(second):
             np.testing.assert_allclose(np.array(value).ravel(), array.ravel(), atol=1e-12)
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
+@pytest.mark.compiler
 @pytest.mark.parametrize("second", ["capsule", "box"])
 def test_compiled_equals_interpreted(second, rng):
     pairs = awkward_pairs(rng, 5000)

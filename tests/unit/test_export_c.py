@@ -15,7 +15,7 @@ from manipplan.tracking.controller import Controller
 from manipplan.tracking.step import REPORT
 from studies.dufour2020.quasi_newton import QuasiNewton
 
-pytestmark = pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
+pytestmark = pytest.mark.compiler
 DT = 0.01
 Q = np.array([0.3, 0.8, 0.7])
 

@@ -99,7 +99,7 @@ def test_a_held_pose_keeps_its_place_and_raises_manipulability(panda, controller
     assert np.abs(run.qd[-1]).max() < 1e-4
 
 
-@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.compiler)])
 def test_a_target_out_of_reach_stalls_within_the_stated_time_and_ends_when_it_moves(compiled):
     arm = mp.planar_arm([1.0, 1.0, 1.0])
     controller = mp.Controller(arm, mp.formulations.General(), dt=DT, compiled=compiled)

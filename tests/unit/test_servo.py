@@ -516,6 +516,7 @@ def test_what_is_refused(servos):
         servo.step(q, np.zeros(6), np.zeros(6), free=("x", "y", "z", "rx", "ry", "rz"))
 
 
+@pytest.mark.compiler
 def test_machine_code_and_virtual_machine_agree_bit_by_bit():
     robot = mp.load_robot("panda")
     rng = np.random.default_rng(5)
@@ -529,7 +530,7 @@ def test_machine_code_and_virtual_machine_agree_bit_by_bit():
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="there is no C compiler")
+@pytest.mark.compiler
 @pytest.mark.parametrize("name", ["panda", "so100", "panda with a plan"])
 def test_the_exported_servo_has_the_same_bits(name, tmp_path):
     robot, plan = mp.load_robot(name.partition(" ")[0]), None

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import manipplan as mp
-from manipplan.support.compiler import find_compiler
 from studies.dufour2020.quasi_newton import QuasiNewton
 
 START = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 2.0, np.pi / 4])
@@ -181,7 +180,7 @@ def test_what_touches_at_the_start_is_pushed_out(panda):
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")
+@pytest.mark.compiler
 @pytest.mark.parametrize("formulation", [mp.formulations.LogDrive(), QuasiNewton(15e3, "bfgs")], ids=str)
 def test_exported_c_is_the_same_controller(panda, formulation, tmp_path):
     tube = mp.Tolerance(position=0.01, rotation=0.05)
@@ -208,7 +207,7 @@ def test_exported_c_is_the_same_controller(panda, formulation, tmp_path):
         np.testing.assert_allclose(row, q, rtol=0, atol=1e-9)
 
 
-@pytest.mark.skipif(find_compiler() is None, reason="needs a C compiler")
+@pytest.mark.compiler
 def test_a_rollout_in_c_is_the_loop_in_python(panda, circle):
     controller = mp.Controller(panda, mp.formulations.LogDrive(), dt=DT, tolerance=mp.Tolerance(position=0.02, rotation=0.08))
     targets = circle.sample(200)
