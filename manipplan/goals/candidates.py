@@ -27,7 +27,7 @@ from manipplan.robots.arms import has_few_joints
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import COINCIDENT, Array
-from manipplan.support.deadline import Deadline
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
 from manipplan.support.progress import Progress, part
@@ -125,12 +125,13 @@ def find_candidates(
     integral: PathIntegral,
     clearance: float,
     constraints: ConstraintSet,
+    deadline: Deadline = NEVER,
 ) -> list[GoalCandidate]:
     """All candidates of the goals: the free ones first, the best first, then those that cannot be used, with the reason.
 
     With held joints, poses are reached by steps of the other joints from `start` and from random configurations. Raises
     InvalidInputError where no candidate is free; the message counts the reasons. It is an OutOfReachError where no goal is
-    reached at all.
+    reached at all, and OutOfTimeError after the deadline.
     """
     robot = model.robot
     targets = [each.of_tool(robot) for each in targets]
@@ -153,7 +154,8 @@ def find_candidates(
     rejected += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
     thorough = not len(found.q) or closed_form(robot) is None  # a closed form misses hardly any in reach
-    for k, near in zip(far, nearest(robot, [poses[k] for k in far], start, held, thorough=thorough), strict=True):
+    steps = nearest(robot, [poses[k] for k in far], start, held, thorough=thorough, deadline=deadline)
+    for k, near in zip(far, steps, strict=True):
         if robot.own_ik is not None and k in solved:  # steps may reach what the user's solver leaves out on purpose
             status = f"left out: {robot.own_ik.name} returns no configuration inside the limits"
             rejected.append(GoalCandidate(goal_index=k, q=near.q, status=status))
@@ -170,6 +172,7 @@ def find_candidates(
         rejected += [GoalCandidate(goal_index=k, q=q, status=reason) for q, reason in joined.rejected]
     every = np.concatenate([np.array(rows).reshape(-1, robot.n), found.q])
     index = np.concatenate([np.array(goals, dtype=np.int64), found.goals])
+    deadline.check()
     reasons = _reasons(every, start, model, clearance, constraints)
     free = np.array([not reason for reason in reasons], dtype=bool)
     rejected += [
@@ -178,6 +181,7 @@ def find_candidates(
     ]
     best = found.rows(np.flatnonzero(free[len(rows) :]))
     q, index = every[free], index[free]
+    deadline.check()
     more, of = _refine(best, start, model, integral, clearance, constraints)
     q, index = np.concatenate([q, more]), np.concatenate([index, best.goals[of]])
     if not len(q):

@@ -19,6 +19,7 @@ from manipplan.robots.arms import tool_reach
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 from manipplan.symbolic.task import Task
 
 #: Smallest and largest number of starts per pose, and of all; the same for poses that none of these reaches.
@@ -55,11 +56,18 @@ class NearestToGoal(Nearest):
 
 
 def nearest(
-    robot: Robot, goals: Sequence[PoseGoal], near: Array, held: NDArray[np.bool_], *, thorough: bool = True
+    robot: Robot,
+    goals: Sequence[PoseGoal],
+    near: Array,
+    held: NDArray[np.bool_],
+    *,
+    thorough: bool = True,
+    deadline: Deadline = NEVER,
 ) -> list[NearestToGoal]:
     """The nearest configuration found to each goal, by damped steps inside the limits from `near` (n,) and random starts.
 
     The held joints (n,) keep their values of `near`. If `thorough`, more starts follow for goals that are not reached.
+    Raises OutOfTimeError after the deadline.
     """
     if not goals:
         return []
@@ -68,7 +76,12 @@ def nearest(
     starts = [[near, robot.neutral, *random_near(robot, goal.matrix, np.random.default_rng(0), count - 2)] for goal in goals]
     q, owners = np.where(held, near, np.concatenate(starts)), np.repeat(np.arange(len(goals)), count)
     missing = PoseResidual.of(kinematics, goals)
-    q, miss = descend(robot.limits, lambda rows, q: missing.slopes(owners[rows], q), q, held)
+
+    def slopes(rows: NDArray[np.intp], q: Array) -> tuple[Array, Array]:
+        deadline.check()
+        return missing.slopes(owners[rows], q)
+
+    q, miss = descend(robot.limits, slopes, q, held)
     size = np.linalg.norm(miss, axis=1)
     reached = [_different(q[(owners == k) & (size <= REACHED)]) for k in range(len(goals))]
     far = [k for k, each in enumerate(reached) if not len(each)]
@@ -76,6 +89,7 @@ def nearest(
     for k, goal in enumerate(goals):
         best = q[owners == k][size[owners == k].argmin()]
         if k in far and thorough:
+            deadline.check()
             more = random_near(robot, goal.matrix, np.random.default_rng(1), int(np.clip(ALL_MORE // len(far), *MORE_STARTS)))
             begins = np.where(held, near, np.vstack([q[owners == k], more]))
             best, left = descend_to_best(robot.limits, _to_goal(missing, k), begins, held)

@@ -244,6 +244,7 @@ class ProgramSearch:
         ends, keys = np.array([each.q for each in other]), [each.before.key for each in other]
         given = np.array([each.is_given for each in other])
         for k, begin in enumerate(one):
+            self.planners.deadline.check()
             after = begin.after.key
             fits = [j for j, key in enumerate(keys) if key == after]
             if fits:

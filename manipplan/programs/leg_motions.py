@@ -355,7 +355,7 @@ def _at_targets(
         some = poses[first : first + count]
         return [
             Node(q=each.q, goal_index=k, bound=each.manipulability, before=before)
-            for each in find_candidates(some, start, model, integral, clearance, leg.constraints)
+            for each in find_candidates(some, start, model, integral, clearance, leg.constraints, planners.deadline)
             if each.is_free
             for k, before in owners[first + each.goal_index]
         ]

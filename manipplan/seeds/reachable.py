@@ -38,6 +38,7 @@ from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.task import SeedTask
 from manipplan.support.checks import Array
+from manipplan.support.deadline import NEVER, Deadline
 
 #: Margin on every distance [m].
 SLACK = 1e-5
@@ -101,9 +102,9 @@ class Barrier:
     end: int
 
 
-def find_barrier(space: Space) -> Barrier | None:
-    """What separates both ends of a space; None where nothing is proven."""
-    return _Division(space).run() if len(space.pairs) and (space.high > space.low).all() else None
+def find_barrier(space: Space, deadline: Deadline = NEVER) -> Barrier | None:
+    """What separates both ends of a space; None where nothing is proven, as after the deadline."""
+    return _Division(space).run(deadline) if len(space.pairs) and (space.high > space.low).all() else None
 
 
 class _Division:
@@ -124,8 +125,8 @@ class _Division:
         self.rows, self.pairs = np.repeat(np.arange(len(self.cells)), count), np.tile(space.pairs, len(self.cells))
         self.left = space.most
 
-    def run(self) -> Barrier | None:
-        while len(self.rows) and len(self.rows) <= self.left:
+    def run(self, deadline: Deadline) -> Barrier | None:
+        while len(self.rows) and len(self.rows) <= self.left and not deadline.passed:
             self.left -= len(self.rows)
             self._measure()
             places = [self.space.cell_of(end, 2**self.level) for end in self.space.ends]
@@ -281,8 +282,9 @@ ENDS = "start", "goal"
 def why_unreachable(task: SeedTask) -> str | None:
     """Why no path joins start and goal, with the names of the bodies; None where that is not proven.
 
-    It takes up to about 0.3 s, and depends on nothing but the task.
+    It takes up to about 0.3 s, and ends where the deadline of the task and its grace are over.
     """
+    deadline = Deadline(at=task.late)
     kernel = task.model.kernel_copy()
     if not task.model.pair_names:
         return None
@@ -294,7 +296,9 @@ def why_unreachable(task: SeedTask) -> str | None:
         for each in (sorted(few, key=lambda joints: (len(joints), sorted(joints))), first[FEW:])
     )
     for each in itertools.chain[_SomeJoints | _Centres](quick, _balls(task), slow):
-        barrier = find_barrier(each)
+        if deadline.passed:
+            return None
+        barrier = find_barrier(each, deadline)
         if barrier is not None:
             return each.reason(task, barrier)
     return None

@@ -58,7 +58,7 @@ class SeedTask:
         most_crossings: maximum number of them on the path; None: any number.
         checks: maximum number of configurations checked for collision; None: any number.
         deadline: in `work_time` [s].
-        grace: time beyond it for simplifying and rounding a path [s].
+        grace: time beyond it for simplifying and rounding a path, and for telling why there is none [s].
         constraints: what is kept beside limits and clearance; None: nothing.
         why_unreachable: why no path joins start and goal; None where that is not proven.
     """
@@ -79,7 +79,7 @@ class SeedTask:
 
     @property
     def late(self) -> float:
-        """When simplifying and rounding end, in `work_time` [s]."""
+        """When what may go on beyond the deadline ends, in `work_time` [s]."""
         return self.deadline + self.grace
 
     def bounds(self) -> tuple[Array, Array]:

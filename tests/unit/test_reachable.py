@@ -302,7 +302,7 @@ def test_a_search_that_ends_soon_does_not_ask(panda, monkeypatch):
 
 
 def test_without_a_proof_the_nearest_bodies_at_the_goal_are_named(planar, monkeypatch):
-    monkeypatch.setattr(reachable, "find_barrier", lambda _: None)
+    monkeypatch.setattr(reachable, "find_barrier", lambda *_: None)
     with pytest.raises(
         mp.errors.PlanningError, match=r"in 0.05 s; .* reached: there link\d_0 and (north|south) are the nearest .* mm"
     ):
