@@ -4,7 +4,6 @@ Ellipsoids and measures
 
 .. image:: images/sphx_glr_plot_measures_001.png
    :alt: A planar arm in three postures with its velocity and force ellipsoids.
-   :width: 560px
 
 *For anyone who has to choose a measure.*
 

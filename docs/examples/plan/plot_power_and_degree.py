@@ -5,7 +5,6 @@ What to choose: power, degree, measure, shifts
 .. image:: images/sphx_glr_plot_power_and_degree_001.png
    :alt: Paths of a planar arm over a map of its manipulability, for three powers
          and a shifted goal.
-   :width: 560px
 
 *For users of the path optimiser who want to tune it.*
 
