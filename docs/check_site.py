@@ -1,7 +1,8 @@
 """Checks a built site: `python docs/check_site.py docs/_build/html` prints what is wrong and ends with 1 if anything is.
 
-Every link, anchor and picture inside the site has its target, every picture its text, and nothing is loaded from elsewhere: no
-script, style, font or picture. Links that a reader may follow to other sites are for `make links`.
+Every link, anchor and picture inside the site has its target, every picture its text, no setting of the gallery is in the text,
+and nothing is loaded from elsewhere: no script, style, font or picture. Links that a reader may follow to other sites are for
+`make links`.
 """
 
 import re
@@ -59,6 +60,8 @@ class Page(HTMLParser):
     def handle_data(self, data: str) -> None:
         if self._inside == "style":
             self.loads += style_urls(data)
+        if self._inside != "script" and "sphinx_gallery_" in data:
+            self.faults.append("a setting of the gallery is in the text: its comment needs an empty line before it")
         if self._inside == "script" and (match := SCRIPT_URL.search(data)):
             self.faults.append(f"a script loads from elsewhere: {match.group()}")
 

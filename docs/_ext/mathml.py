@@ -15,6 +15,12 @@ from sphinx.errors import ExtensionError
 DOTTED = re.compile(r'<mover accent="true">\s*<mi>(\w)</mi>\s*<mo[^>]*>([˙¨])</mo>\s*</mover>')
 #: docutils takes all digits that follow for the numerator, and the next letter for the denominator.
 UNBRACED = re.compile(r"\\[dt]?frac\s*\d")
+#: Beside the name of a function stands a thin space, as in LaTeX, unless brackets or a sign follow; browsers leave none.
+BESIDE_FUNCTION = re.compile(
+    r"</(?:mi|mn|mrow|mfrac|msub|msup)>\s*(?=<mi[^>]*>[a-z]{2,}</mi>\s*<mo>&ApplyFunction;)"
+    r"|<mo>&ApplyFunction;</mo>\s*(?=<m(?!o\b|space))"
+)
+THIN_SPACE = '<mspace width="0.17em"></mspace>'
 DOTS = {"˙": "\u0307", "¨": "\u0308"}
 
 
@@ -47,6 +53,7 @@ def _mathml(node: nodes.Element, *, as_block: bool) -> str:
         mathml = tex2mathml(source, as_block=as_block)
     except MathError as error:
         raise ExtensionError(f"{node.source}:{node.line}: the formula {source!r} cannot be translated: {error}") from error
+    mathml = BESIDE_FUNCTION.sub(rf"\g<0>{THIN_SPACE}", mathml)
     return DOTTED.sub(lambda found: f'<mi style="font-style: italic">{found[1]}{DOTS[found[2]]}</mi>', mathml).replace(
         "\n", " "
     )

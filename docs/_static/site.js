@@ -23,3 +23,15 @@ function zoomable() {
   }
 }
 addEventListener("load", zoomable);
+// The page of results has a field of its own: on a narrow screen that of the sidebar is out of sight.
+function searchField() {
+  const results = document.getElementById("search-results");
+  if (!results) return;
+  const form = document.createElement("form");
+  form.className = "search-field";
+  form.setAttribute("role", "search");
+  form.innerHTML = '<input type="search" name="q" aria-label="Search in all pages" placeholder="Search"><button>Search</button>';
+  form.elements.q.value = new URLSearchParams(location.search).get("q") || "";
+  results.before(form);
+}
+addEventListener("DOMContentLoaded", searchField);

@@ -45,7 +45,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define BESIDE 0.02      /* metres per radian of joints where the nearest knot is sought */
 #define STILL 0.01       /* commanded speed at which the drive has faded by half [m/s] */
 #define SHARE 0.5        /* of the joint speeds that the drive takes at most */
-#define BRAKING 0.7      /* share of the acceleration with which a fold is approached */
+#define BRAKING 0.7      /* share of the acceleration with which a fold is approached, and a joint's limit: others brake as well */
 #define PASSING 0.7      /* share of the least damping that a pole's passage needs */
 #define NUDGE 3e-4       /* σ that a pole is taken to have at least where the command is along its lost direction [m] */
 #define AT_POLE 0.5      /* and as a share of the damping: no joint slows down where all of the command is lost */
@@ -55,6 +55,8 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define STRAIGHT 0.02    /* curvature up to which it is a pole; between the two it is both, in part */
 #define AHEAD 0.1        /* joint motion to which ways out are compared [rad] */
 #define VANISHED 1e-11   /* σ whose v is rounding [m] */
+#define FAINT 0.01       /* share of the command that is lost below which a way out fades */
+#define BACKWARD 0.01    /* share of the command by which the way out of a pole, and the guard of a fold, may move the tool backward */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
 #define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
@@ -288,6 +290,7 @@ static double room(const Servo *servo, const Work *w, const double *e) {
 
 /* The largest speed from which steps of `dt` can stop within a distance, as in bounds.py. */
 static double stopping(double distance, double acceleration, double dt) {
+    if (isinf(distance)) return distance;
     if (isinf(acceleration)) return distance / dt;
     double change = acceleration * dt, far = most(distance, 0);
     double steps = floor((sqrt(1 + 8 * far / (dt * change)) - 1) / 2);
@@ -519,6 +522,18 @@ static int is_far(const Servo *servo, Work *w, double *x) {
     return 1;
 }
 
+/* Motion along v (n) after which a direction with σ = s and the part b of the command has turned into a direction that no free joint
+   moves, which exist where joints stand at their limits, so far that b vanishes [rad]. */
+static double turned_after(const Servo *servo, const Work *w, const double *v, double s, double b) {
+    double angle = 10, slope[MOST];
+    for (long l = w->r; l < w->m; l++) {
+        slope_of(servo, w, w->U[l], v, slope);
+        double rate = fabs(dot(w->n, slope, v)) / most(s, ARRIVAL), other = fabs(dot(w->m, w->U[l], w->W));
+        angle = least(angle, atan2(fabs(b), other) / most(rate, 1e-9));
+    }
+    return angle;
+}
+
 /* g_k of the directions with small σ_k: one after another. */
 static void singular_rates(const Servo *servo, Work *w) {
     double T = duration(servo);
@@ -546,16 +561,22 @@ static void singular_rates(const Servo *servo, Work *w) {
             eigen(d, K, value, vector);
             bend = most(bend, value[0]);
         }
-        double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0;
-        double sd = most(s, most(NUDGE, AT_POLE * lambda) * share * share * clip(1 - bend / STRAIGHT, 0, 1));
-        double damped = b * sd / (sd * sd + lambda * lambda + 1e-12);
-        double fade = clip(bend / BENT, 0, 1), cap = fastest;
+        double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0, length = sqrt(dot(w->n, slope, slope));
+        double pass = share * share * clip(1 - bend / STRAIGHT, 0, 1) * clip(length / SPUN - 1, 0, 1);
+        double sd = most(s, most(NUDGE, AT_POLE * lambda) * pass);
+        double damped = b * sd / (sd * sd + lambda * lambda + 1e-12), now = 0;
+        /* both ways are the same at σ = 0: the arm keeps the one in which it moves */
+        for (long i = 0; i < w->n; i++) now += v[i] * servo->qd[w->joint[i]];
+        if (sd > s && now * damped < 0 && s * fabs(damped) < BACKWARD * (w->size + STILL)) damped = -damped;
+        /* no faster than the arm can stop where b vanishes */
+        double angle = turned_after(servo, w, v, s, b);
+        double fade = clip(bend / BENT, 0, 1), cap = least(fastest, stopping(angle, force, T)), free = cap;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
         double capped = clip(b / most(s, 1e-9), -cap, cap), approach = fade * capped + (1 - fade) * damped;
         /* leaving a fold: the root of σ g + ½ κ T g² = b, not damped */
         double leaving = clip(toward / BENT, 0, 1), leave = damped;
         if (kb > 0 && !(w->n > w->r && s < LOST)) /* v_k turns quickly there: `escape` leaves */
-            leave = clip(2 * b / (s + sqrt(s * s + 2 * kb * T) + 1e-12), -fastest, fastest);
+            leave = clip(2 * b / (s + sqrt(s * s + 2 * kb * T) + 1e-12), -free, free);
         w->g[k] = leaving * leave + (1 - leaving) * approach;
         if (kb <= 0 && fade > 0) {
             w->wall += fade * most(b * b - s * s * w->g[k] * w->g[k], 0);
@@ -563,7 +584,7 @@ static void singular_rates(const Servo *servo, Work *w) {
             if (fade == 1 && seconds < w->seconds) w->seconds = seconds, w->kind = FOLD, w->worst = k;
         }
         if (servo->side == SAME && s > VANISHED) { /* σ falls no faster than it can stop */
-            double length = sqrt(dot(w->n, slope, slope)), folded = clip(fabs(kappa) / BENT - 1, 0, 1);
+            double folded = clip(fabs(kappa) / BENT - 1, 0, 1);
             if (length > BENT && folded > 0) {
                 double unit[MOST];
                 for (long i = 0; i < w->n; i++) unit[i] = w->guard[w->guards][i] = slope[i] / length;
@@ -636,8 +657,10 @@ static void escape(const Servo *servo, Work *w) {
     }
     if (bent > STRAIGHT && rise * AHEAD + 0.5 * bent * AHEAD * AHEAD > 0) {
         double speed = (-rise + sqrt(rise * rise + 2 * bent * lost * T)) / (bent * T);
+        double angle = turned_after(servo, w, way, w->s[w->r - 1], lost);
+        speed = least(speed, stopping(angle, BRAKING * along(w, way, servo->acceleration), T));
         speed = least(speed, along(w, way, servo->velocity));
-        double blend = clip((bent - STRAIGHT) / (BENT - STRAIGHT), 0, 1);
+        double blend = clip((bent - STRAIGHT) / (BENT - STRAIGHT), 0, 1) * least(lost / (FAINT * w->size), 1);
         for (long a = 0; a < d; a++) {
             w->g[first + a] = (1 - blend) * w->g[first + a] + blend * best[a] * speed;
             w->w[first + a] = most(w->w[first + a], EPSILON);
@@ -682,13 +705,15 @@ static void escape(const Servo *servo, Work *w) {
     eigen(d, RR, value, vector);
     double spin = sqrt(most(value[0], 0));
     if (spin <= SPUN) return;
-    double toward = 0;
+    double toward = 0, back = 0;
     for (long i = 0; i < n; i++) {
         way[i] = 0;
         for (long a = 0; a < d; a++) way[i] += Z[a][i] * vector[0][a];
         toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
     }
     double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
+    for (long a = 0; a < w->r - first; a++) back -= turn * part[a] * vector[0][a] * w->s[first + a] * w->b[first + a];
+    if (back > 0) fastest = least(fastest, BACKWARD * w->size * w->size / back);
     double share = (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
     for (long a = 0; a < d; a++) {
         w->g[first + a] += share * part[a] * (turn * vector[0][a] * fastest - w->g[first + a]);
@@ -826,6 +851,35 @@ static void keep_forward(const Servo *servo, const Work *w, double *x) {
     memcpy(x, moved, (size_t)w->n * sizeof *x);
 }
 
+/* The share of the command that x (n) follows. */
+static double followed_by(const Work *w, const double *x) {
+    double sum = 0;
+    for (long k = 0; k < w->m; k++) sum += w->W[k] * dot(w->n, w->J[k], x);
+    return w->size > 1e-9 ? sum / (w->size * w->size) : 1;
+}
+
+/* Where the rows of folds move the tool backward, as where they appear too late to stop in time, they give way until it does not. */
+static void relieve(const Servo *servo, Work *w, double *x, double *force) {
+    double without[MOST], other[MOST + 1], with = followed_by(w, x);
+    long guards = w->guards;
+    if (with >= -BACKWARD) return;
+    w->guards = 0;
+    double more = nearest_point(servo, w, without, other) ? followed_by(w, without) - with : 0;
+    w->guards = guards;
+    if (!(more > 0)) return;
+    double t = least((-BACKWARD - with) / more, 1);
+    for (long i = 0; i < w->n; i++) x[i] += t * (without[i] - x[i]);
+    for (long i = 0; i <= w->n; i++) force[i] += t * (other[i] - force[i]);
+}
+
+/* The bounds of a joint with which it brakes before its limits with a share of its acceleration. */
+static void soft_bounds(const Servo *servo, long j, double *low, double *high) {
+    double T = duration(servo), force = BRAKING * servo->acceleration[j];
+    *low = servo->low[j], *high = servo->high[j];
+    *low = clip(-stopping(servo->q[j] - servo->lower[j], force, T), *low, *high);
+    *high = clip(stopping(servo->upper[j] - servo->q[j], force, T), *low, *high);
+}
+
 /* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
 static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, double *force) {
     long n = w->n, m = servo->world_rows + servo->tool_rows, joints = servo->joints;
@@ -841,7 +895,7 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
         for (long j = 0; j < joints; j++) w->W[k] -= rows[k][j] * fixed[j];
         for (long i = 0; i < n; i++) w->J[k][i] = rows[k][w->joint[i]];
     }
-    for (long i = 0; i < n; i++) w->low[i] = servo->low[w->joint[i]], w->high[i] = servo->high[w->joint[i]];
+    for (long i = 0; i < n; i++) soft_bounds(servo, w->joint[i], &w->low[i], &w->high[i]);
     w->size = sqrt(dot(m, w->W, w->W));
     w->wall = 0, w->guards = 0, w->leaves = 0, w->kind = CLEAR, w->worst = w->r - 1, w->seconds = INFINITY;
     w->has_inside = servo->side != ANY && servo->has_inside, w->has_way = servo->side != ANY && servo->has_way;
@@ -861,6 +915,7 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
     singular_rates(servo, w);
     escape(servo, w);
     int solved = nearest_point(servo, w, x, part);
+    if (solved && w->guards) relieve(servo, w, x, part);
     for (long i = 0; i < n; i++) x[i] = clip(x[i], w->low[i], w->high[i]), force[w->joint[i]] = part[i];
     keep_forward(servo, w, x);
     for (long i = 0; i < n; i++) velocity[w->joint[i]] = x[i];
@@ -887,14 +942,15 @@ static void compare(Servo *servo, long m, const double *command, const double *r
     servo->slip = size > 0 ? sqrt(most(dot(m, rate, rate) - along_it * along_it, 0)) / size : 0;
 }
 
-/* What limits the step: the bound or row that pushes most. */
-static void find_limit(Servo *servo, const double *force) {
+/* What limits the step of the joints in w->joint: the bound or row that pushes most. */
+static void find_limit(Servo *servo, const Work *w, const double *force) {
     double largest = force[servo->joints];
     servo->limit = largest > 0 ? OBSTACLE : NOTHING, servo->limit_joint = -1;
-    for (long j = 0; j < servo->joints; j++) {
+    for (long i = 0; i < w->n; i++) {
+        long j = w->joint[i];
         if (fabs(force[j]) <= largest) continue;
         largest = fabs(force[j]);
-        double bound = force[j] > 0 ? servo->high[j] : -servo->low[j], before = force[j] > 0 ? servo->qd[j] : -servo->qd[j];
+        double bound = force[j] > 0 ? w->high[i] : -w->low[i], before = force[j] > 0 ? servo->qd[j] : -servo->qd[j];
         double gain = servo->acceleration[j] * duration(servo), speed = servo->velocity[j];
         servo->limit_joint = j;
         servo->limit = bound >= speed * (1 - 1e-9) ? VELOCITY : bound >= before + gain - 1e-9 * gain ? ACCELERATION : POSITION;
@@ -942,7 +998,7 @@ static int follow_twist(Servo *servo, double *velocity) {
     if (!solved) return 0;
     rates_of(servo, w, velocity, rate);
     compare(servo, w->m, command, rate);
-    find_limit(servo, force);
+    find_limit(servo, &whole, force);
     servo->smallest = w->s[w->r - 1], servo->kind = w->kind, servo->seconds = w->seconds;
     servo->wall = w->size > 0 ? sqrt(least(w->wall, w->size * w->size)) / w->size : 0;
     if (w->kind == CLEAR && servo->smallest < SMALL && w->size > 0) {
@@ -972,7 +1028,7 @@ static int follow_joints(Servo *servo, double *velocity) {
     if (!nearest_point(servo, &w, velocity, force)) return 0;
     for (long j = 0; j < w.n; j++) velocity[j] = clip(velocity[j], w.low[j], w.high[j]);
     compare(servo, w.n, servo->command, velocity);
-    find_limit(servo, force);
+    find_limit(servo, &w, force);
     return 1;
 }
 

@@ -47,7 +47,7 @@ def panda_among_boxes() -> DemoProblem:
 
 
 def planar_path() -> DemoProblem:
-    """DemoProblem (6.13) of kth2012: three unit links; its tables use the exponent 2."""
+    """Problem (6.13) of kth2012: three unit links; its tables use the exponent 2."""
     return DemoProblem(
         robot=planar_arm([1.0, 1.0, 1.0]),
         scene=Scene(),

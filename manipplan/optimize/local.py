@@ -72,7 +72,7 @@ DESCENTS, SETTLED = 8, 2e-4
 #: The tolerance of a descent from a path at which the first-order conditions did not clearly hold, as a share of the usual one:
 #: where g bends much, as beside a singularity, a path may miss them although hardly more than the usual one is left to gain.
 FURTHER = 0.02
-#: Final margins after the second, third, ... path that is not proven free, such as along the bumps of a point cloud, except
+#: Final margins after the first, second, ... path that is not proven free, such as along the bumps of a point cloud, except
 #: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
 WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
 #: After this number of paths whose g the panels of the descents did not resolve, the panels follow each path: its dip of m is
@@ -516,8 +516,8 @@ class LocalSearch:
                     break
                 clearance_search.always += [] if known else [(proof.at, proof.pair_id)]
                 failed_g, failures = cost.g, failures + 1
-                if self.until is not Until.SETTLED and failures > 1:
-                    wider = WIDER[min(failures - 2, len(WIDER) - 1)]
+                if self.until is not Until.SETTLED:
+                    wider = WIDER[min(failures, len(WIDER)) - 1]
                     final, backed_off = max(min(wider, self.room), final), True
                     waiting = [(final, floor)] * len(waiting)
                 continue

@@ -93,7 +93,7 @@ def optimize_path(
     throw: bool = True,
     progress: Progress | None = None,
 ) -> PathResult | NoPath:
-    """Find a path of low g from start to goal, far from singularities [kth2012, ch. 6].
+    """Find a path of low g from start to goal, far from singularities [kth2012, chapter 6].
 
     g = ∫ ‖q'‖_W / (m² + floor²)^(power/2) ds is finite on paths through singularities, too, and `certificate` names them.
     The path is a polynomial, or a spline of several pieces. Sequential quadratic programming in a trust region [nocedal2006,

@@ -23,6 +23,9 @@ NODES, PIECE_NODES = 40, 8
 #: Minimum number of parts the curve is cut into, for the energy and for g. Their control points obey the joint limits, and so
 #: does the whole curve. With more parts the curve can come nearer to the limits.
 LIMIT_PARTS, FINE_PARTS = 6, 32
+#: Descents on g narrow the limits by this, but not beyond start and goal [rad or m]: steps are rounded, and a path would end
+#: outside by as much.
+INSET = 2.5e-7
 #: First unknowns of a solve or a descent are rounded to multiples of this [rad or m]. It is not a power of two, because then
 #: results of rounded steps would often lie halfway between two multiples.
 SPACING = 1.5e-8
@@ -152,7 +155,7 @@ class PathProgram:
             pace=g0,
             integral=integral if moving else None,
         )
-        limits = self._limit_rows(self._fine_hull, curves, limited=limited)
+        limits = self._limit_rows(self._fine_hull, curves, inset=INSET if limited else -np.inf)
         return DescentProgram(length=length, limits=limits, clearance=clearance, **_kept(constraints)), z
 
     def _curves(self, start: Array, goal: Array, coefficients: Array) -> tuple[Curves, Array]:
@@ -162,14 +165,14 @@ class PathProgram:
         base = self._rounded(coefficients - (directions @ z).T)
         return Curves(basis=self.basis, directions=directions, base=base, start=start, goal=goal), on_grid(z, SPACING)
 
-    def _limit_rows(self, hull: LimitHull, curves: Curves, *, limited: bool = True) -> LimitRows:
-        """The joint limits of the points of a hull; without any, they are infinite."""
-        limits, unlimited = self.kinematics.robot.limits, np.full(self.n, np.inf)
+    def _limit_rows(self, hull: LimitHull, curves: Curves, *, inset: float = 0.0) -> LimitRows:
+        """The joint limits of the points of a hull, narrowed by `inset` [rad or m], but not beyond start and goal."""
+        limits, ends = self.kinematics.robot.limits, np.array([curves.start, curves.goal])
         return LimitRows(
             line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.base.T,
             directions=hull.rows @ curves.directions,
-            lower=limits.lower.copy() if limited else -unlimited,
-            upper=limits.upper.copy() if limited else unlimited,
+            lower=np.minimum(limits.lower + inset, ends.min(axis=0)),
+            upper=np.maximum(limits.upper - inset, ends.max(axis=0)),
         )
 
     @interruptible()

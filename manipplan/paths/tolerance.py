@@ -16,7 +16,7 @@ from manipplan.symbolic.task import Task
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessProfile:
-    """f_e of Q_δ = f_e I in (3): high at both ends of a path, low in between, by two polynomials (Fig. 1 in dufour2020).
+    """f_e of Q_δ = f_e I in (3): high at both ends of a path, low in between, by two polynomials (figure 1 of dufour2020).
 
     f_e(u) = low + (high - low) abs(1 - 2u)^degree for u in [0, 1], the fraction of the time.
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, init=False)
 class PlanarArm:
-    """n revolute joints about z and n links in the plane [kth2012, ch. 2], in closed form.
+    """n revolute joints about z and n links in the plane [kth2012, chapter 2], in closed form.
 
     Symbols: θ_i = q[i-1] is the angle of link i relative to link i-1 [rad], φ_p = θ_1 + ... + θ_p the angle of link p
     to the x axis, l_p its length [m].

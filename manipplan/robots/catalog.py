@@ -449,7 +449,7 @@ def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:
-    """The planar n-link arm of the thesis [kth2012, ch. 2]: revolute joints about z, links along x.
+    """The planar n-link arm of the thesis [kth2012, chapter 2]: revolute joints about z, links along x.
 
     The links lie in stacked planes, so they may cross each other; obstacles are avoided with links of `radius`.
 

@@ -41,6 +41,7 @@ def test_a_site_without_faults(site, capsys):
         ('<meta http-equiv="Refresh" content="0; url=https://a.org">', "goes elsewhere by itself"),
         ('<img src="arm.png">', "no text in its place"),
         ('<img src="nowhere.png" alt="x">', "nowhere.png has no target"),
+        ("<p># sphinx_gallery_thumbnail_number = 2</p>", "a setting of the gallery is in the text"),
         ('<script src="https://a.org/a.js"></script>', "loads https://a.org/a.js from elsewhere"),
         ('<script src="//a.org/a.js"></script>', "from elsewhere"),
         ('<script type="module">import a from "https://a.org/a.js"</script>', "a script loads from elsewhere"),

@@ -295,6 +295,16 @@ def test_a_full_turn_to_the_same_place_is_a_shift(planar):
     assert np.abs(result.path.goal - [2 * np.pi, 1.0, 1.0]).max() > 1
 
 
+def test_a_path_that_rests_on_limits_is_inside_of_them(planar):
+    """Not outside by what steps are rounded by: such a path would be given up."""
+    ends = np.random.default_rng(3).uniform(-1.5, 1.5, (12, 2, 3))
+    for start, goal in ends[[1, 8, 10]]:
+        lower, upper = np.minimum(start, goal) - 0.02, np.maximum(start, goal) + 0.02
+        result = mp.optimize_path(planar.with_limits(lower=lower, upper=upper), start, goal)
+        low, high = result.path.bounds()
+        assert 0 < min((low - lower).min(), (upper - high).min()) < 1e-6
+
+
 def test_joint_limits_hold_on_the_whole_curve(planar):
     start, goal, *_ = THESIS["6.12"]
     free = mp.optimize_path(planar, start, goal, objective=mp.PathObjective(power=2))

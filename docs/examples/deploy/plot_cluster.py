@@ -4,7 +4,6 @@ Sweep on a Dask cluster
 
 .. image:: images/sphx_glr_plot_cluster_001.png
    :alt: A map of g by the position of the robot's base.
-   :width: 560px
 
 *For studies with thousands of plans.*
 

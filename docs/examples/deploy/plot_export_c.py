@@ -5,7 +5,6 @@ Export C for a controller
 .. image:: images/sphx_glr_plot_export_c_001.png
    :alt: Joint angles by Python and by the exported C, and their difference below
          1e-12 rad.
-   :width: 560px
 
 *For real-time controllers.*
 

@@ -17,6 +17,7 @@ shares no code with the planner: its inputs are the robot's URDF and a CSV file.
 # The plan is that of the Panda among five boxes. For comparison, the planner's first
 # path, the seed, is timed within the same limits. Both are written as CSV: time,
 # positions, velocities and accelerations of all samples.
+
 # sphinx_gallery_thumbnail_path = "pictures/mujoco_playback.jpg"
 import csv
 import tempfile

@@ -16,6 +16,7 @@ demo`` solves.
 # %%
 # The robot comes from the catalogue. Its fingers are locked. The acceleration and jerk
 # limits are those that the manufacturer publishes.
+
 # sphinx_gallery_thumbnail_path = "pictures/first_plan.jpg"
 import matplotlib.pyplot as plt
 

@@ -94,7 +94,7 @@ for limit in (robot.limits.lower[6], robot.limits.upper[6]):
 ax.set(
     xlabel="s along the path", ylabel="last joint [°]; dashed: its limits", xlim=(0, 1)
 )
-ax.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.12), frameon=False)
+ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, 1.12), frameon=False)
 plt.show()
 
 last = max(k for k, each in onward.items() if each.any())

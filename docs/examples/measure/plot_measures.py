@@ -4,7 +4,6 @@ Ellipsoids and measures
 
 .. image:: images/sphx_glr_plot_measures_001.png
    :alt: A planar arm in three postures with its velocity and force ellipsoids.
-   :width: 560px
 
 *For anyone who has to choose a measure.*
 
@@ -100,7 +99,7 @@ for name in mp.measures.available_measures():
         continue
     measure = panda.kinematics(mp.Task.pose(0.5), measure=name)
     print(
-        f"{name:26s} {measure.manipulability(q):10.4g}  "
+        f"{name:29s} {measure.manipulability(q):10.4g}  "
         f"{measure.measure.unit(measure.task)}"
     )
 for measure in (
@@ -109,7 +108,7 @@ for measure in (
 ):
     value = panda.kinematics(mp.Task.position(), measure=measure).manipulability(q)
     print(
-        f"{measure.name + ' along z':26s} {value:10.4g}  "
+        f"{measure.name + ' along z':29s} {value:10.4g}  "
         f"{measure.unit(mp.Task.position())}"
     )
 

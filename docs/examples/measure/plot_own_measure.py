@@ -17,7 +17,7 @@ code.
 # %%
 # The task of this page: an arm that deburrs a horizontal plate presses along z of its
 # base and slides along x. It should be **strong** in z and **fast** in x at the same
-# time. With the rows of the position Jacobian, (aᵀ J Jᵀ a)^(1/2) is the speed of the
+# time. With the rows of the position Jacobian, √(aᵀ J Jᵀ a) is the speed of the
 # tool along a for joint velocities of norm 1. The ratio below is large where sliding is
 # fast and pressing is strong.
 

@@ -87,6 +87,7 @@ ax = viz.plot_arm(
 # ------
 # Positions, velocities, accelerations or jerks, with the limits as dashed lines in the
 # joint's colour, or as shares of the limits.
+
 # sphinx_gallery_thumbnail_number = 3
 _, (left, right) = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
 viz.plot_joints(plan.trajectory, robot.limits, ax=left)

@@ -5,7 +5,6 @@ The best posture of a planar arm, with proof
 .. image:: images/sphx_glr_plot_planar_postures_001.png
    :alt: The best postures of a planar arm, and the largest manipulability by the
          distance of the tool.
-   :width: 560px
 
 *For students, and for designers of planar arms.*
 

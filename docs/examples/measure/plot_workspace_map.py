@@ -4,7 +4,6 @@ Where in the workspace the arm is good
 
 .. image:: images/sphx_glr_plot_workspace_map_001.png
    :alt: Histogram of the manipulability, and two maps of the workspace.
-   :width: 560px
 
 *For those who lay out a cell.*
 

@@ -5,7 +5,6 @@ What to choose: power, degree, measure, shifts
 .. image:: images/sphx_glr_plot_power_and_degree_001.png
    :alt: Paths of a planar arm over a map of its manipulability, for three powers
          and a shifted goal.
-   :width: 560px
 
 *For users of the path optimiser who want to tune it.*
 
@@ -35,9 +34,9 @@ def mean(path, measure="yoshikawa"):
 
 
 # %%
-# **Power.** The path minimises g = ∫ ‖q'‖ / m^power ds. With a power near 0 it is the
-# shortest path. The higher the power, the longer the detours that the path makes to
-# stay where the manipulability is large.
+# **Power.** The path minimises g = ∫ ‖q′‖ / mᵖ ds, where p is the power. With a power
+# near 0 it is the shortest path. The higher the power, the longer the detours that the
+# path makes to stay where the manipulability is large.
 
 by_power = {
     power: mp.optimize_path(
@@ -94,12 +93,15 @@ by_measure = {
     )
     for name in names
 }
-print(f"{'path optimised for':25s}  length" + "".join(f"{name:>25s}" for name in names))
+print(f"{'path optimised for':23s}  length  " + "  ".join(names))
 for name, result in by_measure.items():
     values = [mean(result.path, other) for other in names]
     print(
-        f"{name:25s}  {result.length:6.3f}"
-        + "".join(f"{value:25.3f}" for value in values)
+        f"{name:23s}  {result.length:6.3f}  "
+        + "  ".join(
+            f"{value:{len(other)}.3f}"
+            for other, value in zip(names, values, strict=True)
+        )
     )
 
 # %%

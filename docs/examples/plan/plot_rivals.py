@@ -4,7 +4,6 @@ Ways round two posts, and their rivals
 
 .. image:: images/sphx_glr_plot_rivals_001.png
    :alt: Paths of the tool around two posts, and the manipulability along each.
-   :width: 560px
 
 *For anyone who wants to choose among several ways around obstacles.*
 

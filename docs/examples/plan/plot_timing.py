@@ -5,7 +5,6 @@ Time a path: jerk, torque, and how fast the tool may go
 .. image:: images/sphx_glr_plot_timing_001.png
    :alt: Speed of the tool and largest share of an acceleration limit over time, for
          four timings of one path.
-   :width: 560px
 
 *For anyone who has a path and needs a motion.*
 

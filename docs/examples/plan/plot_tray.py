@@ -90,6 +90,6 @@ seen = robot.kinematics(mp.Task.pose(relative_to="right_gripper")).pose(q)
 wanted = np.linalg.inv(grasps["right_gripper"]) @ grasps["left_gripper"]
 apart = np.linalg.norm(seen[:, :3, 3] - wanted[:3, 3], axis=1)
 bottom.plot(t, 1e6 * apart)
-bottom.set(xlabel="t [s]", ylabel="off by [µm]", xlim=(0, t[-1]), ylim=(0, None))
+bottom.set(xlabel="time [s]", ylabel="deviation [µm]", xlim=(0, t[-1]), ylim=(0, None))
 plt.show()
 assert apart.max() < 1e-4

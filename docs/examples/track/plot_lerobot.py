@@ -20,6 +20,7 @@ runs it on a simulated SO-100.
 # The step: dictionaries in, a dictionary out. The servo runs eight times per frame from
 # the positions that it commanded last. These stay within a leash of the measured ones:
 # a blocked arm does not wind up.
+
 # sphinx_gallery_thumbnail_path = "pictures/lerobot.jpg"
 import matplotlib.pyplot as plt
 import numpy as np

@@ -17,6 +17,7 @@ the usual remedy at singularities, does the same for comparison.
 # %%
 # The simulated arm: a position and a velocity actuator per joint with the gains of a
 # stiff industrial servo, cut off at the joint's effort limit, and links without meshes.
+
 # sphinx_gallery_thumbnail_path = "pictures/servo_mujoco.jpg"
 import collections
 import xml.etree.ElementTree as ET
@@ -175,7 +176,7 @@ above.plot(times, size, color="0.5", linestyle="--", label="command")
 for (name, log), colour in zip(runs.items(), ("#0072B2", "#D55E00"), strict=True):
     above.plot(times, speeds[name], color=colour, label=name)
     below.plot(times, 100 * log["torque"].max(axis=1), color=colour, label=name)
-above.set(ylabel="speed along the command [m/s]", ylim=(-0.01, 0.27))
+above.set(ylabel="speed [m/s]", ylim=(-0.01, 0.27))
 above.legend(frameon=False, ncols=3, loc="upper right")
 below.set(xlabel="time [s]", ylabel="torque [% of the limit]", ylim=(0, 100))
 for ax in (above, below):
