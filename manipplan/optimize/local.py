@@ -49,8 +49,7 @@ ASIDE, DIRECTIONS = 0.5, 3
 FIT_TOLERANCE = 1e-9
 #: The descent is repeated from the fit to the optimum at an even pace while that lowers g by more than this share.
 WORTH = 1e-3
-#: Tolerance on the joint limits of rounded solutions of the energy and of descents, from which another descent moves back
-#: inside [rad or m].
+#: Tolerance on the joint limits of rounded solutions of the energy, from which a descent moves back inside [rad or m].
 NEARLY_INSIDE = 1e-4
 #: Tolerance of the descent to the unconstrained optimum, as a share of g: it is used only for comparison.
 COMPARED = 1e-6
@@ -454,7 +453,6 @@ class LocalSearch:
         steps = 0
         failed_g, failures = np.nan, 0  # g of the last path that was not proven free, and number of such paths
         backed_off = False
-        precise = False  # a path missed the limits by less than what the usual tolerance leaves
         unresolved = 0  # number of paths whose g the panels did not resolve
         *wide, final = self.margins(start_path)
         moving = self.nearly_singular(first_cost)
@@ -489,7 +487,7 @@ class LocalSearch:
                 true,
                 z,
                 tolerance=ROUGH if preliminary else None,
-                accuracy=FURTHER if precise or best is not None else 1.0,
+                accuracy=1.0 if best is None else FURTHER,
                 patient=self.patient,
                 deadline=self.deadline,
             )
@@ -530,10 +528,7 @@ class LocalSearch:
                 continue
             if not self.inside_limits(path):
                 log.debug("descent: the path leaves the joint limits")
-                if precise or not self.inside_limits(path, NEARLY_INSIDE):
-                    break
-                precise = True
-                continue
+                break
             solver = f"{descent.ending.value} after {steps} steps"
             optimality = measure_optimality(true, descent.z)
             candidate = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
