@@ -166,7 +166,7 @@ class PathProgram:
         return Curves(basis=self.basis, directions=directions, base=base, start=start, goal=goal), on_grid(z, SPACING)
 
     def _limit_rows(self, hull: LimitHull, curves: Curves, *, inset: float = 0.0) -> LimitRows:
-        """The joint limits of the points of a hull, narrowed by `inset` [rad or m], but not beyond start and goal; -inf: none."""
+        """The joint limits of the points of a hull, narrowed by `inset` [rad or m] up to start and goal; -inf: none."""
         limits, ends = self.kinematics.robot.limits, np.array([curves.start, curves.goal])
         return LimitRows(
             line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.base.T,
