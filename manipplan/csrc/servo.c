@@ -43,7 +43,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define RETURN 20.0      /* rate at which the drive returns to a planned motion [1/s] */
 #define BRANCH 0.5       /* distance in the null space from which on it does not: another branch [rad] */
 #define BESIDE 0.02      /* metres per radian of joints where the nearest knot is sought */
-#define STILL 0.01       /* commanded speed at which the drive has faded by half [m/s] */
+#define STILL 0.01       /* commanded speed at which the drive has faded by half, and below which ways out fade [m/s] */
 #define SHARE 0.5        /* of the joint speeds that the drive takes at most */
 #define BRAKING 0.7      /* share of the acceleration with which a fold is approached, and a joint's limit: others brake as well */
 #define PASSING 0.7      /* share of the least damping that a pole's passage needs */
@@ -58,8 +58,6 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define FAINT 0.01       /* share of the command that is lost below which a way out fades */
 #define BACKWARD 0.01    /* share of the command by which the way out of a pole, and the guard of a fold, may move the tool backward */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
-#define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
-#define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
 typedef struct {
     /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
@@ -91,9 +89,8 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; for how long each joint stays at its limit; the nearest knot, whether it is known, and the planned
-       positions there */
-    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
+       which of these there are; the nearest knot, whether it is known, and the planned positions there */
+    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
     long guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
     /* the result */
@@ -102,8 +99,8 @@ typedef struct {
 } Servo;
 
 typedef struct {
-    long n, m, r;                   /* joints that are free, rows, rank at most */
-    long joint[MOST];               /* which joints are free */
+    long n, m, r;                   /* joints that move the tool, rows, rank at most */
+    long joint[MOST];               /* which joints */
     double J[ROWS][MOST], W[ROWS];  /* rows and command */
     double U[ROWS][ROWS];           /* U[k] is u_k */
     double s[ROWS], V[MOST][MOST];  /* V[k] is v_k; those from r on span the null space */
@@ -228,7 +225,7 @@ static void wrench_of(const Servo *servo, const double *u, double *out, double *
     for (int a = 0; a < 6; a++) out[a] += turning[a];
 }
 
-/* Σ_j y_jᵀ ∂J_j/∂q_i for each free joint i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
+/* Σ_j y_jᵀ ∂J_j/∂q_i for each of these joints i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
    with the tool (0: none). ∂J_j/∂q_i is (ω_i x l_j, ω_i x ω_j) for i <= j, and (ω_j x l_i, 0) for i > j. */
 static void contract(const Servo *servo, const Work *w, double y[MOST][6], double turning[MOST][6], double *out) {
     double after[3] = {0}, before[3] = {0}, turns[3] = {0}, all[MOST] = {0}, part[3];
@@ -522,8 +519,8 @@ static int is_far(const Servo *servo, Work *w, double *x) {
     return 1;
 }
 
-/* Motion along v (n) after which a direction with σ = s and the part b of the command has turned into a direction that no free joint
-   moves, which exist where joints stand at their limits, so far that b vanishes [rad]. */
+/* Motion along v (n) after which a direction with σ = s and the part b of the command has turned into a direction that no joint moves,
+   which an arm with fewer joints than rows has, so far that b vanishes [rad]. */
 static double turned_after(const Servo *servo, const Work *w, const double *v, double s, double b) {
     double angle = 10, slope[MOST];
     for (long l = w->r; l < w->m; l++) {
@@ -536,7 +533,7 @@ static double turned_after(const Servo *servo, const Work *w, const double *v, d
 
 /* g_k of the directions with small σ_k: one after another. */
 static void singular_rates(const Servo *servo, Work *w) {
-    double T = duration(servo);
+    double T = duration(servo), horizon = T / clip(w->size / STILL, 1e-9, 1);
     for (long k = 0; k < w->r; k++) {
         double s = w->s[k], b = w->b[k], *v = w->V[k], slope[MOST];
         if (s >= SMALL) {
@@ -546,8 +543,8 @@ static void singular_rates(const Servo *servo, Work *w) {
         slope_of(servo, w, w->U[k], v, slope);
         double kappa = dot(w->n, slope, v), kb = kappa * b, fastest = along(w, v, servo->velocity);
         double force = along(w, v, servo->acceleration), toward = sign(b) * kappa;
-        /* a pole: the least damping with which its passage needs no more than the joints' speed and acceleration */
-        double lambda = PASSING * w->size * most(1 / (2 * fastest), 1 / sqrt(force));
+        /* a pole: the least damping with which its passage needs no more than the joints' speed and acceleration; none at SMALL */
+        double lambda = PASSING * most(w->size, STILL) * most(1 / (2 * fastest), 1 / sqrt(force)) * clip(2 - 2 * s / SMALL, 0, 1);
         /* approaching a fold: no faster than the arm can stop at σ = ARRIVAL, in the distance σ / bend */
         double bend = -toward;
         if (w->n > w->r && s < EPSILON) { /* v_k may have turned into the null space: the sharper curvature counts */
@@ -559,7 +556,7 @@ static void singular_rates(const Servo *servo, Work *w) {
             second_order(servo, w, u, M);
             restricted(w, M, N, d, K);
             eigen(d, K, value, vector);
-            bend = most(bend, value[0]);
+            bend = most(bend, bend + clip(2 - 2 * s / EPSILON, 0, 1) * (value[0] - bend));
         }
         double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0, length = sqrt(dot(w->n, slope, slope));
         double pass = share * share * clip(1 - bend / STRAIGHT, 0, 1) * clip(length / SPUN - 1, 0, 1);
@@ -575,8 +572,10 @@ static void singular_rates(const Servo *servo, Work *w) {
         double capped = clip(b / most(s, 1e-9), -cap, cap), approach = fade * capped + (1 - fade) * damped;
         /* leaving a fold: the root of σ g + ½ κ T g² = b, not damped */
         double leaving = clip(toward / BENT, 0, 1), leave = damped;
-        if (kb > 0 && !(w->n > w->r && s < LOST)) /* v_k turns quickly there: `escape` leaves */
-            leave = clip(2 * b / (s + sqrt(s * s + 2 * kb * T) + 1e-12), -free, free);
+        if (kb > 0) {
+            double out = clip(2 * b / (s + sqrt(s * s + 2 * kb * horizon) + 1e-12), -free, free);
+            leave += (w->n > w->r ? clip(2 * s / LOST - 1, 0, 1) : 1) * (out - damped); /* v_k turns quickly there: `escape` leaves */
+        }
         w->g[k] = leaving * leave + (1 - leaving) * approach;
         if (kb <= 0 && fade > 0) {
             w->wall += fade * most(b * b - s * s * w->g[k] * w->g[k], 0);
@@ -602,7 +601,7 @@ static void singular_rates(const Servo *servo, Work *w) {
 /* The way out where directions are lost: along the sharpest positive curvature of what is lost, in the span of the lost v_k and the
    null space; where there is none, the motion that turns the lost direction away from the command fastest. */
 static void escape(const Servo *servo, Work *w) {
-    double T = duration(servo), lost = 0, u[ROWS] = {0};
+    double T = duration(servo), faint = clip(w->size / STILL, 1e-9, 1), lost = 0, u[ROWS] = {0};
     long first = w->r;
     while (first > 0 && w->s[first - 1] < LOST) first--;
     for (long k = first; k < w->r; k++) lost += w->b[k] * w->b[k];
@@ -656,14 +655,15 @@ static void escape(const Servo *servo, Work *w) {
         for (long a = 0; a < d; a++) way[i] += N[a][i] * best[a];
     }
     if (bent > STRAIGHT && rise * AHEAD + 0.5 * bent * AHEAD * AHEAD > 0) {
-        double speed = (-rise + sqrt(rise * rise + 2 * bent * lost * T)) / (bent * T);
+        double horizon = T / faint, speed = (-rise + sqrt(rise * rise + 2 * bent * lost * horizon)) / (bent * horizon);
         double angle = turned_after(servo, w, way, w->s[w->r - 1], lost);
         speed = least(speed, stopping(angle, BRAKING * along(w, way, servo->acceleration), T));
         speed = least(speed, along(w, way, servo->velocity));
         double blend = clip((bent - STRAIGHT) / (BENT - STRAIGHT), 0, 1) * least(lost / (FAINT * w->size), 1);
+        blend *= clip(2 - 2 * w->s[w->r - 1] / LOST, 0, 1);
         for (long a = 0; a < d; a++) {
             w->g[first + a] = (1 - blend) * w->g[first + a] + blend * best[a] * speed;
-            w->w[first + a] = most(w->w[first + a], EPSILON);
+            w->w[first + a] = most(w->w[first + a], blend * EPSILON);
         }
         for (long c = 0; c < w->guards; c++) /* the way may lead through the fold, as from a start in it */
             w->fall[c] += least(dot(n, w->guard[c], way), 0) * blend * speed;
@@ -714,10 +714,10 @@ static void escape(const Servo *servo, Work *w) {
     double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
     for (long a = 0; a < w->r - first; a++) back -= turn * part[a] * vector[0][a] * w->s[first + a] * w->b[first + a];
     if (back > 0) fastest = least(fastest, BACKWARD * w->size * w->size / back);
-    double share = (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
+    double share = faint * (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
     for (long a = 0; a < d; a++) {
         w->g[first + a] += share * part[a] * (turn * vector[0][a] * fastest - w->g[first + a]);
-        w->w[first + a] = most(w->w[first + a], EPSILON);
+        w->w[first + a] = most(w->w[first + a], share * EPSILON);
     }
     for (long i = 0; i < n; i++) w->way[i] = turn * way[i];
     w->has_way = 1;
@@ -959,46 +959,25 @@ static void find_limit(Servo *servo, const Work *w, const double *force) {
 
 /* Joint velocities for the twist, and the next singularity in its direction. */
 static int follow_twist(Servo *servo, double *velocity) {
-    Work whole, free, *w = &whole;
-    long joints = servo->joints, blocked = 0;
-    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS], command[ROWS];
-    whole.n = free.n = 0;
+    Work work, *w = &work;
+    long joints = servo->joints;
+    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS];
+    work.n = 0;
     for (long j = 0; j < joints; j++) { /* joints that do not carry the tool brake */
         int carries = 0;
         for (long p = 0; p < servo->physical; p++)
             for (int a = 0; a < 6; a++) carries |= servo->leader[p] == j && servo->columns[6 * p + a] != 0;
-        if (carries) whole.joint[whole.n++] = j;
+        if (carries) work.joint[work.n++] = j;
         else fixed[j] = clip(0, servo->low[j], servo->high[j]);
     }
     if (servo->knots) find_planned(servo);
     int solved = solve(servo, w, fixed, velocity, force);
-    memcpy(command, w->W, sizeof command);
-    /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others */
-    for (long i = 0; i < whole.n; i++) {
-        long j = whole.joint[i];
-        double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
-        int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
-        int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
-        if ((above && force[j] > 0) || (below && force[j] < 0)) servo->stays[j] = STAYING;
-        else servo->stays[j] = above || below ? servo->stays[j] - duration(servo) : 0;
-        if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]), blocked++;
-        else free.joint[free.n++] = j;
-    }
-    if (solved && blocked && free.n) {
-        double guess[36], pushed[MOST + 1];
-        memcpy(guess, servo->guess, sizeof guess);
-        solved = solve(servo, &free, fixed, velocity, pushed);
-        memcpy(servo->guess, guess, sizeof guess);
-        w = &free;
-        for (long i = 0; i < free.n; i++) force[free.joint[i]] = pushed[free.joint[i]];
-        force[joints] = pushed[joints];
-    }
     for (long i = 0; i < w->n; i++) servo->inside[w->joint[i]] = w->inside[i], servo->way[w->joint[i]] = w->way[i];
     servo->has_inside = w->has_inside, servo->has_way = w->has_way, servo->leaves = w->leaves;
     if (!solved) return 0;
     rates_of(servo, w, velocity, rate);
-    compare(servo, w->m, command, rate);
-    find_limit(servo, &whole, force);
+    compare(servo, w->m, w->W, rate);
+    find_limit(servo, w, force);
     servo->smallest = w->s[w->r - 1], servo->kind = w->kind, servo->seconds = w->seconds;
     servo->wall = w->size > 0 ? sqrt(least(w->wall, w->size * w->size)) / w->size : 0;
     if (w->kind == CLEAR && servo->smallest < SMALL && w->size > 0) {
@@ -1132,7 +1111,6 @@ static long read_command(Servo *servo) {
 static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
-    memset(servo->stays, 0, sizeof servo->stays);
     servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
 }
 

@@ -7,7 +7,7 @@ import subprocess
 import numpy as np
 import pinocchio as pin
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import manipplan as mp
@@ -340,6 +340,47 @@ def test_a_way_out_of_a_pole_does_not_move_the_tool_backward(servos):
     for k in range(10, 150):
         command = SCALE * twist * min(k * DT / 0.1, 1)
         assert command @ kinematics(servo.robot, path[k])[1] @ rates[k + 1] > -0.02 * command @ command
+
+
+@pytest.mark.parametrize("speed", [1e-5, 1e-4])
+@pytest.mark.parametrize("name", SINGULAR)
+def test_joints_creep_where_the_command_does(servos, name, speed):
+    """A command of 0.01 mm/s along a lost direction once turned a joint at 1.7 rad/s."""
+    arm, start = SINGULAR[name]
+    for i in range(12):
+        servo, twist = servos(arm), np.zeros(6)
+        twist[i // 2] = (1 - 2 * (i % 2)) * speed / SCALE[i // 2]
+        assert np.abs(drive(servo, start, twist, 0.1)[1]).max() <= 1500 * speed
+
+
+def least_singular_value(robot, q):
+    return np.linalg.svd(kinematics(robot, q)[1], compute_uv=False)[-1]
+
+
+@pytest.mark.parametrize("sigma", [0.12, 0.03, 0.02, 0.01])
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+@settings(deadline=None, max_examples=8)
+@given(seed=st.integers(0, 2**31))
+def test_the_law_is_continuous_where_singular_values_become_small(name, sigma, seed):
+    robot, rng = robot_without_jerk(name), np.random.default_rng(seed)
+    servo = Servo(robot.with_limits(acceleration=1e4), dt=DT)
+    limits = robot.limits
+    above, below = (rng.uniform(np.maximum(limits.lower, -3) + 0.3, np.minimum(limits.upper, 3) - 0.3) for _ in "ab")
+    assume((least_singular_value(robot, above) - sigma) * (least_singular_value(robot, below) - sigma) < 0)
+    side = least_singular_value(robot, above) > sigma
+    for _ in range(40):
+        middle = (above + below) / 2
+        if (least_singular_value(robot, middle) > sigma) == side:
+            above = middle
+        else:
+            below = middle
+    twist = rng.standard_normal(6)
+    twist *= 0.1 / np.linalg.norm(SCALE * twist)
+    rates = []
+    for q in (above, below):
+        servo.reset()
+        rates.append(servo.step(q, np.zeros(robot.n), twist, "world"))
+    assert np.allclose(*rates, rtol=0, atol=1e-3)
 
 
 def reversals(robot, rates):
