@@ -58,6 +58,8 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define FAINT 0.01       /* share of the command that is lost below which a way out fades */
 #define BACKWARD 0.01    /* share of the command by which the way out of a pole, and the guard of a fold, may move the tool backward */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
+#define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
+#define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
 typedef struct {
     /* the arm: `physical` joints, each of which follows one of `joints`; limits (joints); the usual and the longest time step */
@@ -89,8 +91,9 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; the nearest knot, whether it is known, and the planned positions there */
-    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16];
+       which of these there are; for how long each joint stays at its limit; the nearest knot, whether it is known, and the planned
+       positions there */
+    double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
     long guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
     /* the result */
@@ -99,8 +102,8 @@ typedef struct {
 } Servo;
 
 typedef struct {
-    long n, m, r;                   /* joints that move the tool, rows, rank at most */
-    long joint[MOST];               /* which joints */
+    long n, m, r;                   /* joints that are free, rows, rank at most */
+    long joint[MOST];               /* which joints are free */
     double J[ROWS][MOST], W[ROWS];  /* rows and command */
     double U[ROWS][ROWS];           /* U[k] is u_k */
     double s[ROWS], V[MOST][MOST];  /* V[k] is v_k; those from r on span the null space */
@@ -225,7 +228,7 @@ static void wrench_of(const Servo *servo, const double *u, double *out, double *
     for (int a = 0; a < 6; a++) out[a] += turning[a];
 }
 
-/* Σ_j y_jᵀ ∂J_j/∂q_i for each of these joints i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
+/* Σ_j y_jᵀ ∂J_j/∂q_i for each free joint i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
    with the tool (0: none). ∂J_j/∂q_i is (ω_i x l_j, ω_i x ω_j) for i <= j, and (ω_j x l_i, 0) for i > j. */
 static void contract(const Servo *servo, const Work *w, double y[MOST][6], double turning[MOST][6], double *out) {
     double after[3] = {0}, before[3] = {0}, turns[3] = {0}, all[MOST] = {0}, part[3];
@@ -519,8 +522,8 @@ static int is_far(const Servo *servo, Work *w, double *x) {
     return 1;
 }
 
-/* Motion along v (n) after which a direction with σ = s and the part b of the command has turned into a direction that no joint moves,
-   which an arm with fewer joints than rows has, so far that b vanishes [rad]. */
+/* Motion along v (n) after which a direction with σ = s and the part b of the command has turned into a direction that no free joint
+   moves, which exist where joints stand at their limits, so far that b vanishes [rad]. */
 static double turned_after(const Servo *servo, const Work *w, const double *v, double s, double b) {
     double angle = 10, slope[MOST];
     for (long l = w->r; l < w->m; l++) {
@@ -959,25 +962,46 @@ static void find_limit(Servo *servo, const Work *w, const double *force) {
 
 /* Joint velocities for the twist, and the next singularity in its direction. */
 static int follow_twist(Servo *servo, double *velocity) {
-    Work work, *w = &work;
-    long joints = servo->joints;
-    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS];
-    work.n = 0;
+    Work whole, free, *w = &whole;
+    long joints = servo->joints, blocked = 0;
+    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS], command[ROWS];
+    whole.n = free.n = 0;
     for (long j = 0; j < joints; j++) { /* joints that do not carry the tool brake */
         int carries = 0;
         for (long p = 0; p < servo->physical; p++)
             for (int a = 0; a < 6; a++) carries |= servo->leader[p] == j && servo->columns[6 * p + a] != 0;
-        if (carries) work.joint[work.n++] = j;
+        if (carries) whole.joint[whole.n++] = j;
         else fixed[j] = clip(0, servo->low[j], servo->high[j]);
     }
     if (servo->knots) find_planned(servo);
     int solved = solve(servo, w, fixed, velocity, force);
+    memcpy(command, w->W, sizeof command);
+    /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others */
+    for (long i = 0; i < whole.n; i++) {
+        long j = whole.joint[i];
+        double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
+        int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
+        int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
+        if ((above && force[j] > 0) || (below && force[j] < 0)) servo->stays[j] = STAYING;
+        else servo->stays[j] = above || below ? servo->stays[j] - duration(servo) : 0;
+        if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]), blocked++;
+        else free.joint[free.n++] = j;
+    }
+    if (solved && blocked && free.n) {
+        double guess[36], pushed[MOST + 1];
+        memcpy(guess, servo->guess, sizeof guess);
+        solved = solve(servo, &free, fixed, velocity, pushed);
+        memcpy(servo->guess, guess, sizeof guess);
+        w = &free;
+        for (long i = 0; i < free.n; i++) force[free.joint[i]] = pushed[free.joint[i]];
+        force[joints] = pushed[joints];
+    }
     for (long i = 0; i < w->n; i++) servo->inside[w->joint[i]] = w->inside[i], servo->way[w->joint[i]] = w->way[i];
     servo->has_inside = w->has_inside, servo->has_way = w->has_way, servo->leaves = w->leaves;
     if (!solved) return 0;
     rates_of(servo, w, velocity, rate);
-    compare(servo, w->m, w->W, rate);
-    find_limit(servo, w, force);
+    compare(servo, w->m, command, rate);
+    find_limit(servo, &whole, force);
     servo->smallest = w->s[w->r - 1], servo->kind = w->kind, servo->seconds = w->seconds;
     servo->wall = w->size > 0 ? sqrt(least(w->wall, w->size * w->size)) / w->size : 0;
     if (w->kind == CLEAR && servo->smallest < SMALL && w->size > 0) {
@@ -1111,6 +1135,7 @@ static long read_command(Servo *servo) {
 static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
+    memset(servo->stays, 0, sizeof servo->stays);
     servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
 }
 

@@ -272,7 +272,7 @@ class Servo:
     def reset(self) -> None:
         """Clear the memory of past steps: last command, last acceleration, the side of a singularity that was approached."""
         s = self.law
-        for name in ("qdd", "held", "filtered"):
+        for name in ("qdd", "held", "filtered", "stays"):
             ctypes.memset(ctypes.addressof(s) + getattr(type(s), name).offset, 0, getattr(type(s), name).size)
         s.age = 0.0
         s.guessed = s.has_inside = s.has_way = s.leaves = s.placed = 0
