@@ -125,6 +125,9 @@ static inline double duration(const Servo *servo) {
     return servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9) ? servo->dt : servo->usual;
 }
 
+/* The share of a way out that a command gets: less than 1 where it is slower than STILL. */
+static inline double share_of_way(const Work *w) { return clip(w->size / STILL, 1e-9, 1); }
+
 static double dot(long n, const double *a, const double *b) {
     double sum = 0;
     for (long i = 0; i < n; i++) sum += a[i] * b[i];
@@ -536,7 +539,7 @@ static double turned_after(const Servo *servo, const Work *w, const double *v, d
 
 /* g_k of the directions with small σ_k: one after another. */
 static void singular_rates(const Servo *servo, Work *w) {
-    double T = duration(servo), horizon = T / clip(w->size / STILL, 1e-9, 1);
+    double T = duration(servo), horizon = T / share_of_way(w);
     for (long k = 0; k < w->r; k++) {
         double s = w->s[k], b = w->b[k], *v = w->V[k], slope[MOST];
         if (s >= SMALL) {
@@ -559,7 +562,7 @@ static void singular_rates(const Servo *servo, Work *w) {
             second_order(servo, w, u, M);
             restricted(w, M, N, d, K);
             eigen(d, K, value, vector);
-            bend = most(bend, bend + clip(2 - 2 * s / EPSILON, 0, 1) * (value[0] - bend));
+            bend += clip(2 - 2 * s / EPSILON, 0, 1) * most(value[0] - bend, 0);
         }
         double share = w->size > 1e-9 ? b * b / (w->size * w->size) : 0, length = sqrt(dot(w->n, slope, slope));
         double pass = share * share * clip(1 - bend / STRAIGHT, 0, 1) * clip(length / SPUN - 1, 0, 1);
@@ -604,7 +607,7 @@ static void singular_rates(const Servo *servo, Work *w) {
 /* The way out where directions are lost: along the sharpest positive curvature of what is lost, in the span of the lost v_k and the
    null space; where there is none, the motion that turns the lost direction away from the command fastest. */
 static void escape(const Servo *servo, Work *w) {
-    double T = duration(servo), faint = clip(w->size / STILL, 1e-9, 1), lost = 0, u[ROWS] = {0};
+    double T = duration(servo), faint = share_of_way(w), lost = 0, u[ROWS] = {0};
     long first = w->r;
     while (first > 0 && w->s[first - 1] < LOST) first--;
     for (long k = first; k < w->r; k++) lost += w->b[k] * w->b[k];
