@@ -331,7 +331,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     given = others()
     follow(given[0], 0, finer=False)  # what is compiled at the first call does not count
-    outside = [follow(case, 2, finer=options.finer > 0) for case in track(given, "paths of others")]
+    outside = [
+        follow(case, 2, finer=options.finer > 0 and case.robot.n < 8)  # two parameters would take 7,200² samples
+        for case in track(given, "paths of others")
+    ]
     cases = made(options.paths)
     own = [follow(case, 9, finer=k < options.finer) for k, case in enumerate(track(cases, "paths made here"))]
     columns = [

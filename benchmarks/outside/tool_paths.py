@@ -34,10 +34,10 @@ def robot() -> mp.Robot:
     return arm.with_tool((tool.inverse() * hand).homogeneous, name="hand")
 
 
-def fetch_like() -> mp.Robot:
-    """The arm of Fetch's geometry, without the torso."""
+def fetch_like(*, torso: bool = False) -> mp.Robot:
+    """The arm of Fetch's geometry: seven joints, eight with the torso."""
     joints = json.loads((HERE / "fetch_like_paths.json").read_text())["fetch_arm__circle"]["joints"]
-    return mp.load_robot(HERE / "fetch_like.urdf", tool="gripper", joints=joints)
+    return mp.load_robot(HERE / "fetch_like.urdf", tool="gripper", joints=None if torso else joints)
 
 
 def load() -> list[ToolPath]:
@@ -49,8 +49,10 @@ def load() -> list[ToolPath]:
     recorded = json.loads((HERE / "tool_path_iklink_panda.json").read_text())["poses_t_xyz_xyzw"]
     path = _path(np.array(recorded)[:, 1:])
     paths.append(ToolPath(name="IKLink", robot=hand, frame="panda_hand", path=path, scene=mp.Scene()))
-    for name, problem in json.loads((HERE / "fetch_like_paths.json").read_text()).items():
-        paths.append(_tool_path(f"like {name}", fetch_like(), "gripper", problem))
+    for torso, more in ((False, ""), (True, ", with the torso")):
+        arm = fetch_like(torso=torso)
+        for name, problem in json.loads((HERE / "fetch_like_paths.json").read_text()).items():
+            paths.append(_tool_path(f"like {name}{more}", arm, "gripper", problem))
     return paths
 
 

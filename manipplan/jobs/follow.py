@@ -14,6 +14,7 @@ from manipplan.cost.integral import PathIntegral, metric_matrix
 from manipplan.cost.objective import PathObjective, check_measure, floor_of, idle_hint
 from manipplan.goals.goal import read_configuration
 from manipplan.ik.form import closed_form
+from manipplan.ik.solver import Solver
 from manipplan.jobs.plan import plan
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
@@ -53,6 +54,9 @@ SPARES = (1e-4, SPARE_CLEARANCE)
 TIMING = 0.95
 #: Number of poses that are compared to see whether a path moves the tool.
 POSE_SAMPLES = 50
+#: Number of samples of each of two parameters that are taken first, and share of the bound on every path's minimum
+#: manipulability that a path among them has to reach; else as many as by default are taken.
+FEWER_SAMPLES, ENOUGH = 48, 0.8
 #: A tolerance is wide, and searched as a region about each pose, from this distance [m] or angle [rad] on.
 WIDE = Tolerance(position=1e-3, rotation=0.01)
 #: Share of a wide tolerance inside which its region is.
@@ -146,11 +150,13 @@ def follow(
     All configurations at a number of positions are searched for the best continuous path. It is refined between the samples,
     joined by a spline that stays on the workspace path, timed, and checked independently.
 
-    Samples are added where branches of configurations turn back or move fast. Positions are added where no motion leads on, or
-    where the motion leaves the path or touches a body between them. If nothing connects even then, the tool may leave the path
-    and come back to it in another configuration, if `interruptions` allows that. Their number is the smallest that the samples
-    allow, which is proven for them. With that number the minimum manipulability on the path is the largest. At an interruption
-    the tool retreats, a free motion follows, and the tool comes back to the pose where it left. `report.along` tells when.
+    Samples are added where branches of configurations turn back or move fast. Positions are added where no motion leads on,
+    where the motion leaves the path or touches a body between them, or where faster joints allow a larger minimum; the
+    latter only while no joint moves more than 7° from one given pose to the next, if none does without it. If nothing
+    connects even then, the tool may leave the path and come back to it in another configuration, if `interruptions` allows
+    that. Their number is the smallest that the samples allow, which is proven for them. With that number the minimum
+    manipulability on the path is the largest. At an interruption the tool retreats, a free motion follows, and the tool
+    comes back to the pose where it left. `report.along` tells when.
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
@@ -183,8 +189,9 @@ def follow(
             the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
             leave a motion of the tool free.
         epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
-        samples: number of grid points of the redundancy; see `sample_layers`. On an arm with a closed form and one degree of
-            redundancy more are added where joints of neighbouring ones differ by more than 0.05.
+        samples: number of grid points of the redundancy; see `sample_layers`. With two parameters of an arm with a closed
+            form 48 of each are tried first. On an arm with a closed form and one degree of redundancy more are added where
+            joints of neighbouring ones differ by more than 0.05.
         tolerance: maximum deviation of the tool from the path. Default: 0.1 mm and 1 mrad between the positions, which are
             met exactly; a tolerance that gives only one of the two has the default for the other. From 1 mm or 0.01 rad on a
             second search takes a box inside it about each pose, as `Task.within` does, and the better motion is returned. It
@@ -267,27 +274,43 @@ def follow(
 
     def attempt(spare: float, say: Progress, task: Task | None, within: Tolerance | None) -> Plan | PartialPlan:
         """The motion whose positions keep a distance beyond the clearance, for a task and a tolerance of the search."""
-        layers = sample_layers(
-            robot,
-            path,
-            positions if positions is not None else choose_positions(path, closed=closed),
-            task=task,
-            measure=objective.measure,
-            samples=samples,
-            scene=scene,
-            clearance=clearance,
-            spare=spare,
-            spacing=SPACING,
-            closed=closed,
-            near=q_start,
-            executor=executor,
-            seed=seeding.seed,
-            progress=until(deadline, part(say, 0.0, 0.4)),
-        )
-        planner = ToolPathPlanner(
-            path=path, layers=layers.inside(robot.limits), tolerance=within, samples=samples, deadline=deadline
-        ).at_speed(demand)
-        sampler = layers.sampler
+
+        def sampled(samples: int | Sequence[int] | None, notify: Progress) -> ToolPathPlanner:
+            layers = sample_layers(
+                robot,
+                path,
+                positions if positions is not None else choose_positions(path, closed=closed),
+                task=task,
+                measure=objective.measure,
+                samples=samples,
+                scene=scene,
+                clearance=clearance,
+                spare=spare,
+                spacing=SPACING,
+                closed=closed,
+                near=q_start,
+                executor=executor,
+                seed=seeding.seed,
+                progress=until(deadline, notify),
+            )
+            planner = ToolPathPlanner(
+                path=path, layers=layers.inside(robot.limits), tolerance=within, samples=samples, deadline=deadline
+            )
+            return planner.at_speed(demand)
+
+        def begin_of(planner: ToolPathPlanner) -> Array | None:
+            """The start where it is at the first pose of the path."""
+            return q_start if q_start is not None and planner.is_at_start(q_start) else None
+
+        planner = None
+        if samples is None and _has_two_parameters(robot, task):
+            with suppress(InvalidInputError):  # of a position at which none of fewer samples is free
+                fewer = sampled(FEWER_SAMPLES, part(say, 0.0, 0.1))
+                planner = fewer if fewer.reaches(ENOUGH, epsilon, begin_of(fewer)) else None
+        if planner is None:
+            planner = sampled(samples, part(say, 0.1, 0.4))
+        begin = begin_of(planner)
+        sampler = planner.layers.sampler
         assert sampler is not None
         if max(float(m.max()) for m in planner.layers.m) < VANISHING:
             hint = idle_hint(sampler.kinematics)
@@ -302,8 +325,6 @@ def follow(
         integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
         allowed = with_defaults(tolerance)
         draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
-        stands = q_start is not None and planner.is_at_start(q_start)
-        begin = q_start if stands else None
         parts = find_parts(
             planner,
             epsilon,
@@ -314,7 +335,7 @@ def follow(
             stops=stops,
         )
         if isinstance(parts, NotConnected):
-            prefix = "from the start, which is at the first pose of the path, " if stands else ""
+            prefix = "" if begin is None else "from the start, which is at the first pose of the path, "
             search, where = parts.search, ""
             if positions is None:
                 where = explain_gap(parts.planner, epsilon)
@@ -361,7 +382,7 @@ def follow(
             seconds=seeding.time_limit,
         )
         joiner = PartsJoiner(
-            start=q_start, hold_start=stands, closed=closed, way=way, transits=transits, notify=part(say, 0.6, 0.9)
+            start=q_start, hold_start=begin is not None, closed=closed, way=way, transits=transits, notify=part(say, 0.6, 0.9)
         )
         motion = joiner.first_of(parts)
         draft = replace(draft, candidates=motion.candidates)
@@ -449,6 +470,12 @@ def follow(
             with suppress(InvalidInputError, OutOfTimeError):
                 followed = _better(followed, search(second, wide, None))
     return followed if followed.status.has_path else failed(followed, throw, followed.message)
+
+
+def _has_two_parameters(robot: Robot, task: Task | None) -> bool:
+    """Whether two parameters of closed-form inverse kinematics are sampled."""
+    solver = Solver.of(robot, task=task, held=None, method="auto", seed=0)
+    return solver.form is not None and len(solver.names) == 2 and solver.free.bounds is None
 
 
 def _task_within(task: Task, tolerance: Tolerance) -> Task | None:

@@ -24,15 +24,16 @@ if TYPE_CHECKING:
 AROUND, CLOSER = (5, 5, 3), 0.4
 #: Maximum number of rounds of finer samples.
 MOST_RESAMPLED = 20
-#: Largest and smallest trust region of the program [rad or m], and the factors by which it changes.
-TRUST, LEAST_TRUST = 0.3, 1e-4
+#: Trust region of the program at first, also its largest one while the minimum is raised, and its largest one while the path
+#: is shortened; the smallest one [rad or m], and the factors by which it changes.
+TRUST, WIDE_TRUST, LEAST_TRUST = 0.3, 1.2, 1e-4
 SHRINK, GROW = 0.35, 2.0
 #: Maximum number of solves of the program, and minimum relative gain in the minimum manipulability for another solve.
 SOLVES, GAIN = 30, 1e-7
 #: Relative margin of steps and tolerances, for rounding.
 SPARE = 1e-9
 #: Minimum relative decrease of the sum of squared steps for another solve that shortens the path.
-SHORTER = 1e-4
+SHORTER = 1e-3
 #: Share of the minimum manipulability that is given up for a shorter path: at the maximum itself the path has no freedom.
 GIVEN = 1e-4
 #: Share of the level by which the program's result may be below it, for rounding.
@@ -249,6 +250,7 @@ class _Refiner:
             if self._squares(new) > self._squares(q) * (1 - SHORTER):
                 return q  # the program's objective falls no further
             if self.least(new) >= level - ROUNDED * abs(level) and self.sound(new):
+                trust = min(trust * GROW, WIDE_TRUST) if np.abs(new - q).max() > 0.9 * trust else trust
                 q = new
             else:
                 trust *= SHRINK

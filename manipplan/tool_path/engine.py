@@ -102,6 +102,8 @@ class RefinedToolPath:
         return self.keeps_speed, self.refinement.refined if self.keeps_speed else self.fastest[0]
 
 
+#: Largest step of a joint from one given pose to the next on a calm motion [rad or m], as in CppFlow's rule.
+CALM = np.deg2rad(7.0)
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
@@ -297,6 +299,21 @@ class ToolPathPlanner:
         if found.connected or self.layers.joint_pace is None:
             return self, found
         return self.at_any_pace().search(epsilon, strict=strict, explain=explain)
+
+    def is_calm(self, found: SearchResult) -> bool:
+        """Whether no joint moves more than CALM from one given pose of the path to the next, on a path found."""
+        s, q, knots = self.layers.s, found.q, self.path.knots
+        assert s is not None
+        if self.layers.closed:
+            s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, self.layers.continuous)])
+        at_poses = np.column_stack([np.interp(knots, s, each) for each in q.T])
+        return bool(np.abs(np.diff(at_poses, axis=0)).max() <= CALM)
+
+    def reaches(self, share: float, epsilon: ArrayLike, start: Array | None = None) -> bool:
+        """Whether the best motion, from a start (n,) at the first pose, reaches a share of the bound on all minima."""
+        planner = self if start is None else self.starting_at(start)
+        found = max_min_search(planner.layers, epsilon, prefer="first", explain=False, throw=False)
+        return found.connected and found.minimum >= share * found.bound
 
     def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""

@@ -162,15 +162,18 @@ def raise_minimum(
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
     a minimum larger by GAIN, even with the longest steps that positions can be put between.
     """
-    best, least = planner, -np.inf
+    best, least, calm = planner, -np.inf, False
     if planner.demand is not None or planner.has_several_parameters:
         return planner
     for _ in range(RAISED):
         begun = planner if start is None else planner.starting_at(start)
         waiting = part(notify, 0.0, 0.0)
-        found = max_min_search(begun.layers, epsilon, prefer="first", explain=False, throw=False, progress=waiting)
+        found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=waiting)
+        is_calm = found.connected and begun.is_calm(found)
+        if calm and not is_calm:
+            break
         if best is planner or found.minimum > least + GAIN * abs(least):
-            best, least = planner, found.minimum
+            best, least, calm = planner, found.minimum, is_calm
         needed = np.ones(0, dtype=np.int64)
         if found.connected:
             needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least), waiting)
