@@ -75,19 +75,8 @@ def tool_distances(
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free, tolerance)))
         given = distances_from(whole, workspace_path.given, free, tolerance, is_reached=True)
         missed.append((workspace_path.knots, *given))
-    return _largest(left), _largest(missed)
-
-
-def _largest(parts: list[tuple[Array, Array, Array]]) -> Deviation:
-    """The largest distances of parts, each with the s at which they are, and the distances there."""
-    at, position, rotation = (np.concatenate(each) for each in zip(*parts, strict=True))
-    far, turned = int(position.argmax()), int(rotation.argmax())
-    return Deviation(
-        position=float(position[far]),
-        position_at=float(at[far]),
-        rotation=float(rotation[turned]),
-        rotation_at=float(at[turned]),
-    )
+    left_most, missed_most = (Deviation.largest(*map(np.concatenate, zip(*each, strict=True))) for each in (left, missed))
+    return left_most, missed_most
 
 
 #: Excess of a limit [rad, m], or share of it, up to which the limit counts as kept.

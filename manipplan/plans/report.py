@@ -145,18 +145,9 @@ def deviation_between(recorded: Trajectory, improved: Trajectory, integral: Path
     """
     even = np.linspace(0.0, 1.0, TIMES + 1)
     u = np.unique(np.concatenate([recorded.t / recorded.duration, improved.t / improved.duration, even]))
-    position, rotation = tool_distances(recorded, improved, u, integral)
-    far, turned = int(position.argmax()), int(rotation.argmax())
-    return Deviation(
-        position=float(position[far]), position_at=float(u[far]), rotation=float(rotation[turned]), rotation_at=float(u[turned])
-    )
-
-
-def tool_distances(recorded: Trajectory, improved: Trajectory, u: Array, integral: PathIntegral) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad] (k,) between the tools of two motions at shares u (k,) of their times."""
     kinematics = integral.kinematics
     first, second = (kinematics.pose(each(np.minimum(u * each.duration, each.duration))) for each in (recorded, improved))
-    return pose_distances(first, second, kinematics.task)
+    return Deviation.largest(u, *pose_distances(first, second, kinematics.task))
 
 
 def pose_distances(first: Array, second: Array, task: Task) -> tuple[Array, Array]:
