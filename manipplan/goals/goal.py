@@ -34,7 +34,7 @@ from manipplan.support.checks import (
 )
 from manipplan.support.data_files import read_yaml
 from manipplan.support.display import one_line
-from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError, inside
 from manipplan.symbolic.task import Task
 
 
@@ -223,10 +223,8 @@ class Target:
     def with_grip(self, grip: Array) -> "Target":
         """The goal of the tool that this one of a part is, with the part at `grip` (4, 4) in the tool frame."""
         assert self.pose is not None
-        try:
+        with inside(self.argument):
             return Target(argument=self.argument, pose=self.pose.of_tool(grip))
-        except InvalidInputError as error:
-            raise InvalidInputError(f"{self.argument}.{error.argument}", error.value, error.allowed) from error
 
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of joints without limits; "" where it is reached."""
@@ -302,7 +300,8 @@ def _read_pose(argument: str, goal: Any, arm: Robot) -> PoseGoal | None:
     """A pose of the tool of an arm; None where the goal is no pose."""
     if isinstance(goal, PoseGoal):
         if goal.axis is not None:
-            _task(argument, goal, arm)
+            with inside(argument):
+                goal.task(arm)  # whether the arm can turn about the free axis
         return goal
     if hasattr(goal, "homogeneous") or np.shape(goal if _has_shape(goal) else ()) == (4, 4):
         try:
@@ -330,14 +329,6 @@ def _one_configuration(argument: str, q: Any, robot: Robot) -> Array:
     if checked.ndim != 1:
         raise InvalidInputError(argument, q, f"one configuration of shape ({robot.n},)")
     return checked
-
-
-def _task(argument: str, goal: PoseGoal, robot: Robot) -> None:
-    """Raise InvalidInputError, which names the argument, where the arm cannot turn about the free axis."""
-    try:
-        goal.task(robot)
-    except InvalidInputError as error:
-        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
 
 
 def _is_configuration(goal: Any) -> bool:

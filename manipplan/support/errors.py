@@ -7,7 +7,8 @@ solution raises `PlanningError`, which holds the result and its status; ``throw=
 import difflib
 import re
 import reprlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -42,6 +43,15 @@ class InvalidInputError(ManipplanError, ValueError):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.argument, self.value, self.allowed)
+
+
+@contextmanager
+def inside(argument: str) -> Iterator[None]:
+    """Errors of the block name their argument as a part of `argument`."""
+    try:
+        yield
+    except InvalidInputError as error:
+        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
 
 
 class UnknownNameError(InvalidInputError):
