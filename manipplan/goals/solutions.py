@@ -83,7 +83,8 @@ def nearest(
 
     q, miss = descend(robot.limits, slopes, q, held)
     size = np.linalg.norm(miss, axis=1)
-    reached = [_different(q[(owners == k) & (size <= REACHED)]) for k in range(len(goals))]
+    close = [q[(owners == k) & (size <= REACHED)] for k in range(len(goals))]
+    reached = [each[first_apart(each, DUPLICATE_DISTANCE)] for each in close]
     far = [k for k, each in enumerate(reached) if not len(each)]
     found = []
     for k, goal in enumerate(goals):
@@ -175,13 +176,13 @@ class PoseResidual:
         return miss, counting @ (self.kinematics.jacobian(q) * LENGTHS[:, None])
 
 
-def _different(q: Array) -> Array:
-    """Configurations (k, n) without those that are nearly the same as one before."""
-    different: list[Array] = []
-    for each in q:
-        if all(np.abs(each - other).max() > DUPLICATE_DISTANCE for other in different):
-            different.append(each)
-    return np.array(different).reshape(-1, q.shape[1])
+def first_apart(q: Array, spacing: float, most: int | None = None) -> list[int]:
+    """Indices of the first rows of q (k, n), at most `most`, of which none is within `spacing` of one before in all joints."""
+    chosen: list[int] = []
+    for k, each in enumerate(q):
+        if len(chosen) != most and all(np.abs(each - q[j]).max() > spacing for j in chosen):
+            chosen.append(k)
+    return chosen
 
 
 def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:

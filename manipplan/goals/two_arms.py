@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.goal import PoseGoal
-from manipplan.goals.solutions import PoseResidual, beyond_links, nearest, reaching
+from manipplan.goals.solutions import PoseResidual, beyond_links, first_apart, nearest, reaching
 from manipplan.ik.newton import descend
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
 from manipplan.robots.limits import nearest_turns
@@ -203,11 +203,8 @@ def meeting(
     begins = np.vstack([start, robot.neutral, random, *_between(robot, torsos, found)])
     q = _reaching(robot, goals, np.where(held, start, begins), held)
     _, width = _ranges(robot, shared)
-    different: list[Array] = []
-    for each in q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]:
-        if all((np.abs((each - other)[shared]) > SAME * width).any() for other in different):
-            different.append(each)
-    return np.array(different).reshape(-1, robot.n)
+    q = q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]
+    return q[first_apart(q[:, shared] / width, SAME)]
 
 
 def _between(robot: Robot, torsos: Array, found: Mapping[str, OfTool]) -> list[Array]:
@@ -399,18 +396,10 @@ def _join(ranking: Ranking, torsos: Array, some: NDArray[np.int64], free: Mappin
         q = torsos[torso][None]
         for tool, each in free.items():
             own, joints = each.at(torso).q, list(ranking.robot.joints_of(tool))
-            own = own[_different(own, ranking.of_tool(tool, own), count)][:, joints]
+            own = own[ranking.of_tool(tool, own)]
+            own = own[first_apart(own, APART, count)][:, joints]
             q = np.repeat(q, len(own), axis=0)
             q[:, joints] = np.tile(own, (len(q) // max(len(own), 1), 1))
         found.append(q)
     joined = np.concatenate(found)
     return joined[ranking.whole(joined)]
-
-
-def _different(q: Array, order: NDArray[np.int64], count: int) -> list[int]:
-    """The first rows of q (k, n) in this order, none near another, at most a number of them."""
-    chosen: list[int] = []
-    for k in order.tolist():
-        if len(chosen) < count and all(np.abs(q[k] - q[j]).max() > APART for j in chosen):
-            chosen.append(k)
-    return chosen
