@@ -6,6 +6,7 @@ PLY files, text and binary, strictly (counts and indices are checked before anyt
 that is cut off as a smaller mesh.
 """
 
+import math
 import re
 import struct
 from collections.abc import Mapping
@@ -185,42 +186,32 @@ class _Binary:
         """The values of each property: (count,), or one array per row for a list."""
         if not element.properties or not element.count:
             return {}
-        sizes = self._sizes(element)
-        kind = self._row(element, sizes)
+        kind = self._row(element)
         whole = element.count * kind.itemsize
+        lists = [each.name for each in element.properties if each.length is not None]
         if whole <= len(self.body) - self.at:
             rows = np.frombuffer(self.body, kind, element.count, self.at)
-            if all((rows[f"length of {name}"] == size).all() for name, size in sizes.items()):
+            if all((rows[f"length of {name}"] == rows[name].shape[1]).all() for name in lists):
                 self.at += whole
-                return {
-                    each.name: list(rows[each.name].astype(float)) if each.length else rows[each.name].astype(float)
-                    for each in element.properties
-                }
-        elif not sizes:
+                columns = {each.name: rows[each.name].astype(float) for each in element.properties}
+                return {name: list(column) if name in lists else column for name, column in columns.items()}
+        elif not lists:
             raise ValueError(f"{whole} bytes where {len(self.body) - self.at} are left")
         return self._row_by_row(element)
 
-    def _sizes(self, element: _Element) -> dict[str, int]:
-        """The length of each list in the first row."""
-        at, sizes = self.at, {}
+    def _row(self, element: _Element) -> "np.dtype[np.void]":
+        """The type of a row whose lists are as long as those of the first one."""
+        at, parts = self.at, list[tuple[str, str, tuple[int, ...]]]()
         for each in element.properties:
-            size = 1
+            shape: tuple[int, ...] = ()
             if each.length is not None:
-                [size] = struct.unpack_from(self.order + each.length, self.body, at)
+                shape = struct.unpack_from(self.order + each.length, self.body, at)
                 at += struct.calcsize(each.length)
-                sizes[each.name] = int(size)
-            if not 0 <= size <= len(self.body):
-                raise ValueError(f"a list of {size} numbers")
-            at += int(size) * struct.calcsize(each.code)
-        return sizes
-
-    def _row(self, element: _Element, sizes: Mapping[str, int]) -> "np.dtype[np.void]":
-        """The type of a row whose lists have these lengths."""
-        parts: list[tuple[str, str, tuple[int, ...]]] = []
-        for each in element.properties:
-            if each.length is not None:
                 parts.append((f"length of {each.name}", self.order + each.length, ()))
-            parts.append((each.name, self.order + each.code, () if each.length is None else (sizes[each.name],)))
+            if not 0 <= math.prod(shape) <= len(self.body):
+                raise ValueError(f"a list of {shape[0]} numbers")
+            at += math.prod(shape) * struct.calcsize(each.code)
+            parts.append((each.name, self.order + each.code, shape))
         return np.dtype(parts)
 
     def _row_by_row(self, element: _Element) -> Mapping[str, Rows]:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.robots.xml_files import DEEPEST, read_bounded_xml
@@ -348,9 +349,7 @@ def _rotation(axis: Array, angle: float) -> Array:
     length = np.linalg.norm(axis)
     if not length > 0:
         raise ValueError("a rotation about an axis of length zero")
-    x, y, z = axis / length
-    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K)
+    return np.asarray(pin.AngleAxis(angle, axis / length).toRotationMatrix())
 
 
 #: Extensions that say nothing about the shape.
