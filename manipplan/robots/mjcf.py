@@ -6,7 +6,7 @@ positions of joints are MuJoCo's `qpos`, and the limits its `jnt_range`. Free bo
 
 import logging
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -268,23 +268,24 @@ def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geom
     return geometry
 
 
+#: The shape of each kind of geom without triangles, from its size (3,).
+PRIMITIVES: Mapping[str, Callable[[Sequence[float]], coal.CollisionGeometry]] = {
+    "plane": lambda _: coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0),
+    "sphere": lambda size: coal.Sphere(size[0]),
+    "capsule": lambda size: coal.Capsule(size[0], 2 * size[1]),
+    "cylinder": lambda size: coal.Cylinder(size[0], 2 * size[1]),
+    "ellipsoid": lambda size: coal.Ellipsoid(*size),
+    "box": lambda size: coal.Box(*(2 * each for each in size)),
+}
+
+
 def _primitive(file: Path, kind: str, name: str, size: Sequence[float]) -> coal.CollisionGeometry:
     if kind != "plane" and max(size) > FARTHEST:
         raise FileFormatError("file", str(file), f"geoms of at most {FARTHEST:g} m; the {kind} {name} has the size {size}")
-    if kind == "plane":
-        return coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0)
-    if kind == "sphere":
-        return coal.Sphere(size[0])
-    if kind == "capsule":
-        return coal.Capsule(size[0], 2 * size[1])
-    if kind == "cylinder":
-        return coal.Cylinder(size[0], 2 * size[1])
-    if kind == "ellipsoid":
-        return coal.Ellipsoid(*size)
-    if kind == "box":
-        return coal.Box(*(2 * each for each in size))
-    wanted = f"geoms of the kinds {', '.join(SHAPES[:-1])}; {name} is of the kind {kind}: make it a mesh, or give it"
-    raise FileFormatError("file", str(file), f'{wanted} contype="0" conaffinity="0"')
+    if kind not in PRIMITIVES:
+        wanted = f"geoms of the kinds {', '.join(SHAPES[:-1])}; {name} is of the kind {kind}: make it a mesh, or give it"
+        raise FileFormatError("file", str(file), f'{wanted} contype="0" conaffinity="0"')
+    return PRIMITIVES[kind](size)
 
 
 def _height_field(file: Path, mj: Any, number: int) -> tuple[Array, NDArray[np.int64]]:
