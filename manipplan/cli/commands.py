@@ -115,8 +115,7 @@ def plan(
         time_limit: Time limit of the planner's search [s].
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         begin = configuration_of("start", start, arm)
         end = _goal(arm, goal, goal_pose, goals)
@@ -173,8 +172,7 @@ def run(
         time_limit: Time limit of the whole job [s]; the best program that was found by then is written.
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         file = ProgramFile.read(program)
         if not (robot or file.robot):
             raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
@@ -253,8 +251,7 @@ def follow(
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         made = follow_job(
             arm,
@@ -313,8 +310,7 @@ def improve(
         out: Folder for the files that are written.
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot)
         made = improve_job(
             arm,
@@ -379,8 +375,7 @@ def check(
         column: Column of a CSV file for a joint, or for time, that has another name: joint=column, time=column.
         json: Print the report as JSON.
     """
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         notify(0.3, "checking the motion")
         report = check_job(
@@ -418,8 +413,7 @@ def demo(out: Folder = Path("demo"), seed: Count = 0) -> int:
     """
     folder, codes = place_for("out", out), []
     for name, make in (("panda", panda_among_boxes), ("planar", planar_path)):
-        with terminal.progress() as notify:
-            notify(0.0, "loading the robot")
+        with terminal.progress("loading the robot"):
             problem = make()
         with terminal.progress() as notify:
             made = plan_job(
@@ -456,8 +450,7 @@ def view(
         record: Write this HTML file, which plays anywhere, instead of showing the page.
     """
     console = Console()
-    with terminal.progress() as notify:
-        notify(0.0, "loading the result")
+    with terminal.progress("loading the result") as notify:
         is_program = result.name == PROGRAM or (result / PROGRAM).is_file()
         shown = Program.load(result) if is_program else Plan.load(result)
         notify(0.3, "preparing the page")
@@ -524,8 +517,7 @@ def robots(name: Positional[OptionalRobot] = None, /, *, names: bool = False) ->
     """
     console = Console()
     if name is not None:
-        with terminal.progress() as notify:
-            notify(0.0, "loading the robot")
+        with terminal.progress("loading the robot"):
             text = str(load_robot(name))
         terminal.show_line(console, text)
         return
