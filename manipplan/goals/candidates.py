@@ -42,8 +42,7 @@ class StraightLines:
     """Straight lines from one configuration to k others.
 
     Attributes:
-        m: (k, LINE_SAMPLES) the measure on each.
-        g: (k,) of each, estimated.
+        m, g: (k, LINE_SAMPLES) the measure on each, and (k,) of each, estimated.
         crossings: lower bound on the singularities that any path between its ends crosses; None for redundant arms.
         bound: (k,) upper bound on the minimum m of any path between its ends: the smaller m of both; 0 in another aspect.
     """

@@ -126,14 +126,7 @@ def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PoseResidual:
-    """What is missing to the tolerances of g goals.
-
-    Attributes:
-        kinematics: of the arm.
-        targets: (g, 4, 4) poses.
-        axes: (g, 3) free axes; zero where none is free.
-        allowed: (g, 2) tolerances [m, rad].
-    """
+    """What is missing to g goals: `targets` (g, 4, 4), free axes (g, 3) or zero, and tolerances `allowed` (g, 2) [m, rad]."""
 
     kinematics: Kinematics
     targets: Array

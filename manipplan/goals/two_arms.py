@@ -34,11 +34,8 @@ from manipplan.symbolic.task import Task
 class OwnArm:
     """The joints that move one tool alone, as an arm whose other joints are locked at the robot's neutral posture.
 
-    Attributes:
-        arm: the arm.
-        joints: indices of its joints.
-        carrier: index in the model of the last joint before those of the arm alone; 0: the world.
-        home: (4, 4) pose of that joint in the neutral posture.
+    `carrier` is the index in the model of the last joint before those of the arm; 0: the world. `home` is the pose (4, 4) of
+    that joint in the neutral posture.
     """
 
     arm: Robot

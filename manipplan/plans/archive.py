@@ -265,9 +265,7 @@ NAME = "plan.json"
 
 
 def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, home: Path | None = None) -> None:
-    """Write a plan, with the keys of its problem and of this code.
-
-    Parts that cannot be written are logged, now and when the file is read.
+    """Write a plan, with the keys of its problem and of this code; parts that cannot be written are logged, also at reading.
 
     `home` is the folder that the file will be in; None: the one that it is written to.
     """

@@ -103,18 +103,14 @@ def measure(
     clearance: float = 0.0,
     torque: bool = False,
 ) -> Report:
-    """Measure a finished trajectory of the model's robot.
+    """Measure a finished trajectory of the model's robot, whose columns are the robot's joints, in their order.
 
     Args:
-        trajectory: its columns are the robot's joints, in their order.
-        model: the robot among its obstacles.
-        integral: the objective, with its task and measure.
         start, goal: (n,) where the motion has to begin and end [rad or m]; None: anywhere.
         workspace_path, tolerance: path of the tool, and how far the tool may be from it; None: no path.
         constraints: what every configuration has to keep; held joints keep their first value.
         along: the parts of the motion on which the tool follows that path; (): all of it.
-        clearance: required clearance [m].
-        torque: whether the torque limits are checked, too.
+        clearance, torque: required clearance [m], and whether the torque limits are checked, too.
     """
     robot, kinematics = model.robot, integral.kinematics
     path = trajectory.path()

@@ -33,12 +33,9 @@ RANGE = ("lower", "upper", "velocity")
 
 @dataclass(frozen=True, kw_only=True)
 class DataSheet:
-    """Published limits of one arm.
+    """Published limits of the arm whose joints have these names in the maker's description, and where they are published.
 
-    Attributes:
-        joints: names of its joints in the maker's description.
-        limits: limits in SI units, one number or one per joint, by their names in JointLimits.
-        source: where they are published.
+    They are in SI units, one number or one per joint, by their names in JointLimits.
     """
 
     joints: tuple[str, ...]

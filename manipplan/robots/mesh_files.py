@@ -249,12 +249,9 @@ Faces = NDArray[np.int64]
 
 @dataclass(frozen=True, kw_only=True)
 class MeshFile:
-    """The contents of a mesh file, with the transforms of its scene graph applied.
+    """Triangles (t, 3, 3) of a mesh file in its own numbers, with the transforms of its scene graph applied.
 
-    Attributes:
-        triangles: (t, 3, 3), in the numbers of the file.
-        unit: length of the unit that the file states [m]; 1 when it states none.
-        up: axis that the file states as vertical; "" when it states none.
+    `unit` [m] and the vertical axis `up` are those that the file states; 1 and "" when it states none.
     """
 
     triangles: Array

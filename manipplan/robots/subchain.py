@@ -217,13 +217,10 @@ def reduce(
     held: Mapping[str, float],
     mimics: Mapping[str, Mimic] | None = None,
 ) -> tuple[pin.Model, pin.GeometryModel]:
-    """Lock every joint of `held` at its value, and let the others that mimic follow; the geometry follows its link.
+    """Lock every joint of `held` at its value [rad or m], and let the others that mimic follow; the geometry follows its link.
 
-    Args:
-        model, geometry: the arm; it may have followers, which are locked with their leader.
-        active: names of the independent joints, in the order of q.
-        held: values of locked joints [rad or m].
-        mimics: joints of the model that become followers if they are not locked.
+    Followers of the model are locked with their leader, and the joints of `mimics` become followers if they are not locked.
+    `active` names the independent joints, in the order of q.
     """
     model, geometry, followers = uncouple(model, geometry)
     known = set(model.names)

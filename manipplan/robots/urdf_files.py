@@ -27,12 +27,7 @@ PROCESSOR, TIME_LIMIT = 4, 60.0
 
 
 def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
-    """The URDF that `folders.file` expands to.
-
-    Args:
-        folders: the file, and where its packages are.
-        arguments: values of its `xacro:arg` elements, by name.
-        trust: whether the file may run Python code and read any file and environment variable.
+    """The URDF that `folders.file` expands to, with values of its `xacro:arg` elements by name; `trust`: see `trust_file`.
 
     Raises:
         MissingExtraError: the package xacro is not installed.
@@ -83,15 +78,9 @@ BODIES = ("collision", "visual")
 
 @dataclass(frozen=True, kw_only=True)
 class UrdfFiles:
-    """How a URDF or xacro file is read, and where its meshes are.
+    """How a URDF or xacro file is read, and where its meshes are: the arguments of `Robot.from_urdf` of these names.
 
-    Attributes:
-        package_dirs: folders in which packages are searched.
-        packages: folder of each package, by name.
-        meshes: whether collision meshes are read; without them only the primitives of the description are checked.
-        collision: "collision" or "visual": which elements of the links are the bodies that are checked.
-        arguments: values of a xacro file's arguments, by name; numbers and booleans become text as in ROS.
-        trust_file: whether a xacro file may run Python code, and read any file and environment variable.
+    Numbers and booleans in `arguments` become text, as in ROS.
 
     Raises InvalidInputError when an attribute has another type, or a folder of `packages` does not exist.
     """
