@@ -8,7 +8,6 @@ options of `load_robot` and returns a Robot, or the path of a robot's file.
 
 import importlib
 import os
-import subprocess
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -108,21 +107,21 @@ def _of_descriptions(name: str) -> RobotFile:
 
 def _fetch(name: str, package: str, robot: str) -> dict[str, Any]:
     """The files of a robot of a package, from its cache or the network, by `collections_child` in a process of its own."""
+    child, program = "manipplan.robots.collections_child", "the process that fetches it"
     with tempfile.TemporaryDirectory() as folder:
         try:
             request = {"package": package, "name": robot}
-            answer, run = commands.ask_module("manipplan.robots.collections_child", folder, request, limit=TIME_LIMIT)
-            reason = f"the process that fetches it ended with code {run.returncode}" if answer is None else answer.get("error")
-        except subprocess.TimeoutExpired:
-            answer, reason = None, f"it takes more than {TIME_LIMIT:g} s"
-    if answer is not None and reason is None:
+            answer, _ = commands.ask_module(child, folder, request, limit=TIME_LIMIT, program=program)
+        except commands.NoAnswerError as error:
+            answer = {"error": str(error)}
+    if "error" not in answer:
         return answer
     if name.startswith(MENAGERIE):
         remedy = f"run: mujoco-menagerie prefetch {robot}   or set {CHECKOUT} to a checkout"
     else:
         remedy = f"run: python -m robot_descriptions pull {name}   or copy its folder from another machine"
         remedy += f" ({DESCRIPTIONS_CACHE}, by default ~/.cache/robot_descriptions)"
-    raise RobotNotFetchedError(name, " ".join(str(reason).split()), remedy)
+    raise RobotNotFetchedError(name, " ".join(answer["error"].split()), remedy)
 
 
 def _of_menagerie(name: str) -> RobotFile:
