@@ -292,11 +292,10 @@ def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
     basis, control = found[best]
     slopes = basis.values(np.linspace(0.0, 1.0, 201), 1) @ control
     fast = AT_REST * np.linalg.norm(slopes, axis=1).max()
-    start, goal = (slope if np.linalg.norm(slope) > fast else None for slope in slopes[[0, -1]])
     first, last = np.clip(motion.q[[0, -1]], limits.lower, limits.upper)
     start, goal = (
-        None if slope is None else _inside(basis, q, slope, inward, limits)
-        for q, slope, inward in ((first, start, 1), (last, goal, -1))
+        _inside(basis, q, slope, inward, limits) if np.linalg.norm(slope) > fast else None
+        for q, slope, inward in ((first, slopes[0], 1), (last, slopes[-1], -1))
     )
     ends = Ends(start=first, goal=last, start_slope=start, goal_slope=goal)
     curve = basis.values(basis.shares) @ control

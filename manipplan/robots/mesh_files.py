@@ -334,7 +334,6 @@ def _stl(data: bytes) -> Array:
     count = int.from_bytes(data[80:HEADER], "little") if len(data) >= HEADER else -1
     if len(data) == HEADER + FACET.itemsize * count:
         check_count(count)
-    if len(data) == HEADER + FACET.itemsize * count:
         return np.asarray(np.frombuffer(data, FACET, count, HEADER)["corners"], dtype=float)
     if b"\0" in data or not re.match(rb"\s*solid", data, re.IGNORECASE):  # a binary header may begin with "solid", too
         held = max(len(data) - HEADER, 0) / FACET.itemsize

@@ -372,29 +372,20 @@ def read_gltf(file: Path) -> Array:
         import trimesh
     except ImportError as error:
         raise MissingExtraError("trimesh", "mesh") from error
+    found = [np.empty((0, 3, 3))]
     try:
         scene = trimesh.load_scene(file, process=False)
-        found = [
-            move_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
-            for transform, mesh in _place_meshes(scene)
-        ]
+        for transform, name in map(scene.graph.get, scene.graph.nodes_geometry):
+            mesh = scene.geometry[name]
+            if hasattr(mesh, "faces"):
+                corners = np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)]
+                found.append(move_triangles(corners, np.asarray(transform, dtype=float)))
     except Exception as error:  # trimesh raises whatever happens to it on a broken file
         raise ValueError(f"trimesh says: {type(error).__name__}: {error}") from error
-    triangles = np.concatenate([np.empty((0, 3, 3)), *found])
+    triangles = np.concatenate(found)
     if count and not len(triangles):
         raise ValueError("none of its triangles can be read")
     return triangles
-
-
-def _place_meshes(scene: Any) -> list[tuple[Array, Any]]:
-    """Transform (4, 4) and mesh of each node that has triangles."""
-    placed = []
-    for node in scene.graph.nodes_geometry:
-        transform, name = scene.graph[node]
-        mesh = scene.geometry[name]
-        if hasattr(mesh, "faces"):
-            placed.append((np.asarray(transform, dtype=float), mesh))
-    return placed
 
 
 def _document(data: bytes) -> Any:

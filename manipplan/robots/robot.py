@@ -274,9 +274,10 @@ class Robot(Pictured):
         return subchain.followers_of(self.model)
 
     @property
+    @once_per_source
     def tree(self) -> model_tree.JointTree:
         """All joints of `model`, followers included, as arrays."""
-        return _tree(self)
+        return model_tree.joint_tree(self.model)
 
     @property
     def joint_types(self) -> tuple[str, ...]:
@@ -523,11 +524,6 @@ class Robot(Pictured):
 
     def __str__(self) -> str:
         return robot_table(self)
-
-
-@once_per_source
-def _tree(robot: Robot) -> model_tree.JointTree:
-    return model_tree.joint_tree(robot.model)
 
 
 #: Number of locked joints, and of followers, that are named.
