@@ -3,8 +3,6 @@
 The file holds the source of the robot, not the robot itself, and the joints' names, limits and screws and the outlines of the
 bodies, by which a different robot is detected. A checksum detects a file that was changed. Numbers keep all their digits.
 Infinite ones are strings, since JSON has none.
-
-A robot and a scene in JSON: their sources, and the data that identify a different robot.
 """
 
 import hashlib
@@ -41,7 +39,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
 from manipplan.support.data_files import from_json, json_ready, pack_array, read_array, read_json, unpack_array
-from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, reading
 from manipplan.support.files import absolute_and_relative, finish, found_again, write_text
 from manipplan.support.memo import code_key
 from manipplan.support.status import Status
@@ -338,7 +336,7 @@ def plan_of(
     from manipplan.plans.result import PartialPlan, Plan
 
     folder = path.resolve().parent
-    try:
+    with reading("file", path, "a result written by Plan.save, unchanged since"):
         parts: dict[str, Any] = {
             "robot": robot_of(path, data["robot"], folder, robot),
             "scene": scene_of(path, data["scene"], folder, scene),
@@ -353,11 +351,6 @@ def plan_of(
         parts["result"] = _maybe(data["result"], lambda numbers: _path_result(path, data, numbers, parts["path"], measure))
         complete = all(parts[name] is not None for name in ("path", "trajectory", "report", "result"))
         return Plan(**parts) if complete else PartialPlan(**parts)
-    except FileFormatError:
-        raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
-        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
 
 
 def _path_result(

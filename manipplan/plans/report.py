@@ -1,11 +1,4 @@
-"""Report: every figure of a finished trajectory, measured on the trajectory itself; PlanReport: what a plan adds.
-
-PathPart: a part of a motion on which the tool follows a workspace path.
-
-ToolFigure: what a report says of each tool of a robot with several.
-
-Comparison: a recorded motion and the improved one side by side, each figure measured in the same way.
-"""
+"""Report: every figure of a finished trajectory, measured on the trajectory itself; PlanReport: what a plan adds."""
 
 import json
 from collections.abc import Mapping
@@ -26,7 +19,7 @@ from manipplan.robots.limits import TakenToLimit
 from manipplan.support.checks import COINCIDENT, Array, existing_file
 from manipplan.support.data_files import from_json, json_ready, read_json
 from manipplan.support.display import one_line
-from manipplan.support.errors import FileFormatError
+from manipplan.support.errors import reading
 from manipplan.support.files import write_text
 from manipplan.support.status import RECORDED, Status
 from manipplan.symbolic.task import Task
@@ -445,13 +438,9 @@ class Report:
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote, a PlanReport for that of a plan; raises FileFormatError for another file."""
         path = existing_file("file", file)
-        try:
+        with reading("file", path, "a report written by manipplan"):
             data = read_json("file", path)
             return from_json(data, PlanReport if "seed_g" in data else Report)
-        except FileFormatError:
-            raise
-        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
-            raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
 @one_line

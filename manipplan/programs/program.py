@@ -28,7 +28,7 @@ from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
 from manipplan.support.data_files import from_json
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, reading
 from manipplan.support.files import finish, replacing, write_text
 from manipplan.timing.constant_speed import SteadySpeed
 
@@ -264,7 +264,7 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
             raise FileFormatError("folder", str(file), "a part of a program, with a trajectory")
         return made
 
-    try:
+    with reading("folder", path, "a program written by Program.save, unchanged since"):
         return Program(
             robot=arm_of(path, data["robot"]),
             scene=scene_of(path, data["scene"], home, None),
@@ -278,11 +278,6 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
             stops=_numbers(data["stops"]),
             warnings=tuple(str(each) for each in data["warnings"]),
         )
-    except FileFormatError:
-        raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
-        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise FileFormatError("folder", str(path), f"a program written by Program.save, unchanged since ({reason})") from error
 
 
 def _numbers(data: Any) -> tuple[float, ...]:

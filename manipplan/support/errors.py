@@ -94,6 +94,18 @@ class FileFormatError(InvalidInputError):
     """A file that cannot be read as what it should be."""
 
 
+@contextmanager
+def reading(argument: str, file: object, wanted: str) -> Iterator[None]:
+    """What goes wrong in a block that takes the data of a file apart becomes a FileFormatError with the reason."""
+    try:
+        yield
+    except FileFormatError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise FileFormatError(argument, str(file), f"{wanted} ({reason})") from error
+
+
 class UnsupportedJointError(InvalidInputError):
     """A joint of a kind that a serial chain of revolute and prismatic joints cannot contain."""
 
