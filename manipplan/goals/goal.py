@@ -29,6 +29,7 @@ from manipplan.support.checks import (
     finite_array,
     instance,
     pose_matrix,
+    read_only,
     rotation_matrix,
     unit_quaternion,
 )
@@ -68,9 +69,7 @@ class PoseGoal:
             length = float(np.linalg.norm(axis))
             if length < 1e-9:
                 raise InvalidInputError("free_axis", self.free_axis, "an axis (3,) that is not zero")
-            axis = axis / length
-            axis.flags.writeable = False
-            object.__setattr__(self, "free_axis", axis)
+            object.__setattr__(self, "free_axis", read_only(axis / length))
         instance("of", self.of, str)
         if self.tolerance is not None and instance("tolerance", self.tolerance, Tolerance).position is None:
             raise InvalidInputError("tolerance", self.tolerance, "one with a position [m]: without it any place would do")

@@ -20,7 +20,7 @@ from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import LIMIT_TOLERANCE, JointLimits
 from manipplan.robots.model_tree import WORLD, Mimic, follow, joint_about, joint_names, joint_tree, moves_with
 from manipplan.robots.srdf import Semantics
-from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, texts
+from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, read_only, texts
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnsupportedJointError
 
 log = logging.getLogger("manipplan")
@@ -196,12 +196,9 @@ def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
-        neutral = np.clip(neutral, limits.lower, limits.upper)
-    else:
+    if not (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
         raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
-    neutral.flags.writeable = False
-    return neutral
+    return read_only(np.clip(neutral, limits.lower, limits.upper))
 
 
 #: Before the number of a frame while joints are locked. No name in an XML file can have it.
