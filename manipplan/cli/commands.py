@@ -95,7 +95,6 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
-        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         goal: As `start`. Give one of goal, goal-pose and goals.
@@ -226,7 +225,6 @@ def follow(
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         poses: CSV file with the columns x, y, z [m], qx, qy, qz, qw.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
@@ -296,7 +294,6 @@ def improve(
     """Make a recorded joint motion smooth and raise its manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and its scene.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         recorded: CSV file with the columns time [s] and q_JOINT [rad or m] of each joint, in any order; or a trajectory file
             that manipplan wrote.
@@ -359,7 +356,6 @@ def check(
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: Where the motion has to begin: one angle [rad] or length [m] per joint, or the name of a state in the SRDF.
         goal: Where it has to end, as `start`.
-        options: Options of the robot and its scene.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
         path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qx, qy, qz, qw.
         path_begin: Time from which the tool follows that path [s], after a lead-in.

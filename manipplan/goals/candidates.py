@@ -1,9 +1,4 @@
-"""GoalCandidate: a configuration that reaches a goal, with what is known about motions to it before any is planned.
-
-Straight lines from one configuration to others: what is known about motions before any is planned.
-
-Plans paths to the best candidates and chooses among them, while better ones are possible.
-"""
+"""Configurations that reach a goal, what is known about motions to them before any is planned, and the choice among them."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -26,7 +21,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import COINCIDENT, Array
+from manipplan.support.checks import COINCIDENT, Array, read_only
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
@@ -207,7 +202,7 @@ def rate_candidates(q: Array, goals: Sequence[int], start: Array, integral: Path
     return [
         GoalCandidate(
             goal_index=goals[k],
-            q=_freeze(q[k]),
+            q=read_only(q[k].copy()),
             manipulability=float(lines.m[k, -1]),
             bound=float(lines.bound[k]),
             straight_length=float(np.linalg.norm(q[k] - start)),
@@ -248,7 +243,7 @@ def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
     joint = int(outside.argmax())
     unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
     reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} {unit} outside its limits"
-    return GoalCandidate(goal_index=goal, q=_freeze(q), status=reason)
+    return GoalCandidate(goal_index=goal, q=read_only(q.copy()), status=reason)
 
 
 def _refine(
@@ -327,12 +322,6 @@ def _describe(target: Target) -> object:
         return {tool: pose.matrix.tolist() for tool, pose in target.tools.items()}
     assert isinstance(target.pose, PoseGoal)
     return target.pose.matrix.tolist()
-
-
-def _freeze(q: Array) -> Array:
-    q = q.copy()
-    q.flags.writeable = False
-    return q
 
 
 #: Maximum number of paths that are planned, and of candidates to which one is tried.

@@ -4,7 +4,7 @@ How far a pose is out of reach: the nearest configurations to it inside the limi
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -227,15 +227,8 @@ class Reaching:
 
     def rows(self, indices: NDArray[np.int64]) -> "Reaching":
         """These rows only, in this order."""
-        values = tuple(self.values[k] for k in indices)
-        return Reaching(
-            q=self.q[indices],
-            goals=self.goals[indices],
-            solvers=self.solvers[indices],
-            poses=self.poses[indices],
-            values=values,
-            families=self.families,
-        )
+        arrays = {name: getattr(self, name)[indices] for name in ("q", "goals", "solvers", "poses")}
+        return replace(self, **arrays, values=tuple(self.values[k] for k in indices))
 
 
 def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:

@@ -1,11 +1,4 @@
-"""Configurations that reach a goal of several tools: the solutions of each arm, joined where they are free of each other.
-
-OwnArm: the joints that move one tool alone, and their solutions for its goal with the other joints at given values.
-
-Ranking: which of the configurations that reach a goal of several tools are better, for the robot and for each arm alone.
-
-Values of the joints that move several tools, such as a torso, with which every tool can reach its goal.
-"""
+"""Configurations that reach a goal of several tools: the solutions of each arm, joined where they are free of each other."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -64,10 +57,6 @@ class OfTool:
     def rows(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> "OfTool":
         """These rows only."""
         return OfTool(q=self.q[rows], torso=self.torso[rows])
-
-    def with_more(self, other: "OfTool") -> "OfTool":
-        """These rows, then those of another set."""
-        return OfTool(q=np.vstack([self.q, other.q]), torso=np.concatenate([self.torso, other.torso]))
 
     def at(self, torso: int) -> "OfTool":
         """Those of the torso posture with this index."""
@@ -348,9 +337,10 @@ def _closer(
         own = own_arms(robot)[tool]
         stepped = torsos[len(common) :].copy()
         stepped[:, own.joints] = nearest_turns(own.arm, met[:, own.joints], start[list(own.joints)])
-        itself = OfTool(q=stepped, torso=np.arange(len(common), len(torsos)))
-        more = solutions(robot, tool, goal, torsos, start, held, by_steps=True) if len(torsos) else itself
-        found[tool] = itself.with_more(more)
+        found[tool] = itself = OfTool(q=stepped, torso=np.arange(len(common), len(torsos)))
+        if len(torsos):
+            more = solutions(robot, tool, goal, torsos, start, held, by_steps=True)
+            found[tool] = OfTool(q=np.vstack([itself.q, more.q]), torso=np.concatenate([itself.torso, more.torso]))
     return torsos, found
 
 

@@ -1,7 +1,4 @@
-"""Measures a finished trajectory: every figure of its Report, and what of it does not pass.
-
-How far the tool of a motion is from a workspace path, and the path from where the tool comes past.
-"""
+"""Measures a finished trajectory: every figure of its Report, and what of it does not pass."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields

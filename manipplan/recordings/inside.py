@@ -1,7 +1,4 @@
-"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance.
-
-Whether a body that moves with the tool stays in an obstacle wherever in the tube the tool is: no motion is possible then.
-"""
+"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance."""
 
 from collections.abc import Iterator
 from contextlib import suppress

@@ -1,7 +1,4 @@
-"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file.
-
-Limits that manufacturers publish for arms that are recognised by the names of their joints.
-"""
+"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
 import difflib
 import importlib

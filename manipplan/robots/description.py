@@ -1,7 +1,5 @@
 """Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one.
 
-RobotSource: what an arm was read from, so that the same arm can be built again.
-
 Implausible bodies and links: what is in millimetres and read in metres is 1,000 times too large and too far away.
 """
 
