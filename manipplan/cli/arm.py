@@ -26,7 +26,13 @@ def _default(text: str) -> str:
 
 _option = partial(arg, help_behavior_hint=_default)
 
-RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT")]
+ROBOT = "A name that `manipplan robots` lists, or a URDF, xacro or MJCF file."
+JERK = "Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint."
+MEASURE = "Name of the manipulability measure; default: Yoshikawa's."
+RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT", help=ROBOT)]
+JerkLimits: TypeAlias = Annotated[tuple[float, ...], _option(metavar="X [X ...]", help=JERK)]
+MeasureName: TypeAlias = Annotated[str | None, _option(metavar="NAME", help=MEASURE)]
+OutFolder: TypeAlias = Annotated[Path, arg(metavar="FOLDER", help="Folder for the files that are written.")]
 OptionalRobot: TypeAlias = Annotated[str | None, _option(metavar="ROBOT")]
 Folder: TypeAlias = Annotated[Path, arg(metavar="FOLDER")]
 InputFile: TypeAlias = Annotated[Path, arg(metavar="FILE")]
