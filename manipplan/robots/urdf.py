@@ -123,25 +123,18 @@ def check_urdf(file: Path, root: ET.Element) -> None:
     if any(joint.get("name") == WORLD for joint in joints):
         raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
     degrees, one_sided, fast = list[str](), list[str](), list[str]()
-    for joint in joints:
-        where = f"joint {joint.get('name')}"
-        strange |= _check_elements(file, joint, where)
-        _raise(file, where, _origin_fault(joint) or _joint_fault(joint))
-        degrees += _degrees(where, joint)
-        one_sided += _one_sided(where, joint)
-        fast += _fast(where, joint)
+    places = [(joint, f"joint {joint.get('name')}") for joint in joints]
     for link in links:
         name = link.get("name")
-        strange |= _check_elements(file, link, f"link {name}")
-        for k, element in enumerate(link.findall("collision"), start=1):
-            where = f"collision element {k} of link {name}"
-            strange |= _check_elements(file, element, where)
-            _raise(file, where, body_fault(element))
-            degrees += _degrees(where, element)
-        for element in link.findall("inertial"):
-            where = f"the inertial element of link {name}"
-            strange |= _check_elements(file, element, where)
-            _raise(file, where, _inertial_fault(element))
+        places += [(link, f"link {name}")]
+        places += [(each, f"collision element {k} of link {name}") for k, each in enumerate(link.findall("collision"), start=1)]
+        places += [(each, f"the inertial element of link {name}") for each in link.findall("inertial")]
+    for element, where in places:
+        strange |= _check_elements(file, element, where)
+        _raise(file, where, _origin_fault(element) or FAULTS[element.tag](element))
+        degrees += _degrees(where, element) if element.tag != "inertial" else []
+        one_sided += _one_sided(where, element)
+        fast += _fast(where, element)
     for what, found in (
         ("elements that URDF does not have are passed over:", ", ".join(sorted(strange)[:12])),
         ("angles in a URDF are in radians; these look like degrees:", "; ".join(degrees[:12])),
@@ -337,9 +330,6 @@ def _joint_fault(joint: ET.Element) -> str | None:
 
 
 def _inertial_fault(inertial: ET.Element) -> str | None:
-    fault = _origin_fault(inertial)
-    if fault is not None:
-        return fault
     for tag in ("mass", "inertia"):
         element = inertial.find(tag)
         fault = f"it needs one <{tag}>" if element is None else _number_fault(element)
@@ -361,6 +351,9 @@ def _number_fault(element: ET.Element, defaults: Mapping[str, str] | None = None
             return f"<{element.tag}> needs {attribute} with {f'{count} numbers' if count > 1 else 'a number'}, not {text!r}"
     return None
 
+
+#: What finds the fault in an element beside those of its origin.
+FAULTS = {"joint": _joint_fault, "link": lambda _: None, "collision": body_fault, "inertial": _inertial_fault}
 
 T = TypeVar("T")
 
