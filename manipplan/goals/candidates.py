@@ -143,7 +143,9 @@ def find_candidates(
             rows.append(q)
             goals.append(k)
     held = constraints.held
-    solved = {} if held.any() else {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
+    few = has_few_joints(robot)  # too few to reach every pose: samples of what is free about a goal are out of reach
+    exact = {k: pose for k, pose in poses.items() if not few or (pose.axis is None and pose.tolerance is None)}
+    solved = {} if held.any() else exact
     found = reaching(robot, solved, start)
     rejected += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
@@ -230,11 +232,6 @@ def ordered(free: Sequence[GoalCandidate]) -> list[GoalCandidate]:
 
 def _ties(first: GoalCandidate, other: GoalCandidate) -> bool:
     return (first.least_crossings or 0) == (other.least_crossings or 0) and other.bound >= first.bound * (1 - TIE)
-
-
-def _needs_steps(robot: Robot, goal: PoseGoal) -> bool:
-    """Whether samples of what is free about a goal are out of reach, as the arm has too few joints to reach every pose."""
-    return has_few_joints(robot) and (goal.axis is not None or goal.tolerance is not None)
 
 
 def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:

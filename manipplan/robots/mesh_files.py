@@ -93,17 +93,12 @@ def read_ply(file: Path, *, rows: int, faces: int) -> Ply:
     if any(each.name == "tristrips" and each.count for each in elements):
         raise ValueError("it has triangle strips (tristrips), which are not read")
     for key in CORNERS:
-        found = list(values.get("face", {}).get(key, ()))
-        _check_corners(found, len(vertices))
-        corners += found
-    return Ply(vertices=vertices, faces=corners)
-
-
-def _check_corners(rows: Rows, corners: int) -> None:
-    flat = np.concatenate(rows) if rows else np.empty(0)
-    wrong = flat[~((flat >= 0) & (flat < corners) & (flat == np.floor(flat)))]
+        corners += list(values.get("face", {}).get(key, ()))
+    flat = np.concatenate(corners) if corners else np.empty(0)
+    wrong = flat[~((flat >= 0) & (flat < len(vertices)) & (flat == np.floor(flat)))]
     if len(wrong):
-        raise ValueError(f"a face names corner {wrong[0]:g} of {corners}")
+        raise ValueError(f"a face names corner {wrong[0]:g} of {len(vertices)}")
+    return Ply(vertices=vertices, faces=corners)
 
 
 def _header(text: str) -> tuple[str, list[_Element]]:
