@@ -243,8 +243,7 @@ class Target:
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
     """The goals of one argument, and whether they were given as a list.
 
-    Raises InvalidInputError, which names the entry of the list, for an empty list, a wrong shape, numbers that are not finite
-    or a matrix that is no rigid transform, and UnknownNameError for the name of no state.
+    Raises InvalidInputError, which names the entry of the list, for what is no goal, and UnknownNameError for no state's name.
     """
     if not isinstance(goal, list | tuple) and not (isinstance(goal, np.ndarray) and goal.ndim == 3):
         return (read_goal(argument, goal, robot),), False

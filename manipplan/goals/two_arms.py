@@ -281,8 +281,7 @@ def reaching_tools(
 
     Each arm's solutions are those of its own joints. The joints that it shares are at their values of the start and on a grid,
     or, where nothing on the grid is free, where damped steps of all joints lead. Solutions of the arms with the same shared
-    values are joined, the best first: those whose manipulability is largest, up to that of the start, then the nearest to the
-    start.
+    values are joined, in the order of `Ranking`.
     """
     robot = model.robot
     far = [(tool, beyond_links(robot, tool, goal)) for tool, goal in goals.items()]

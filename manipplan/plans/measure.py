@@ -48,7 +48,6 @@ def tool_distances(
 
     Args:
         path: the motion over its time, in shares of the duration [s].
-        kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
         tolerance: what the distances are compared with: a pose within it counts as such.
     """

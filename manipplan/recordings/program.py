@@ -76,8 +76,7 @@ class TubeProgram:
             control: (size, n) first curve.
             weights: of the objective; without one of the duration τ is 1.
             poses, tube: (k, 4, 4) centres and (k, 2) radii [m, rad] of the tube at `u`; inf: not bounded.
-            least: minimum manipulability to keep.
-            rows: clearance rows.
+            least, rows: minimum manipulability and clearance rows to keep.
             deadline: no iteration is begun after it.
         """
         n = self.limits.n

@@ -46,14 +46,7 @@ class RobotFile:
 
 
 def robot_file(name: str) -> RobotFile | None:
-    """The file of a name of robot_descriptions or of MuJoCo Menagerie; None for another name.
-
-    Raises:
-        UnknownNameError: the collection has no such robot, or the folder no such file; the nearest names are listed.
-        MissingExtraError: the package is not installed.
-        RobotNotFetchedError: the files are not in the cache, and could not be fetched.
-        FileFormatError: the folder has no file of a robot, or several.
-    """
+    """The file of a name of robot_descriptions or of MuJoCo Menagerie; None for another name. Raises as `load_robot`."""
     if name.startswith(MENAGERIE):
         return _of_menagerie(name)
     return _of_descriptions(name) if name.endswith(ENDING) else None

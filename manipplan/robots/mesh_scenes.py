@@ -361,11 +361,9 @@ FLOAT = 5126
 
 
 def read_gltf(file: Path) -> Array:
-    """Triangles (t, 3, 3) of the default scene, in its root frame.
+    """Triangles (t, 3, 3) of the default scene, in its root frame; raises MissingExtraError without trimesh.
 
-    Raises:
-        ValueError: the file is not valid, or needs an extension or a kind of primitive that is not read.
-        MissingExtraError: trimesh is not installed.
+    Raises ValueError where the file is not valid, or needs an extension or a kind of primitive that is not read.
     """
     count = _count_primitives(_document(file.read_bytes()))
     try:

@@ -41,12 +41,7 @@ FILTER_PARENT = "mjDSBL_FILTERPARENT"
 
 
 def read_mjcf(file: Path) -> Description:
-    """The robot of an MJCF file.
-
-    Raises:
-        MissingExtraError: MuJoCo is not installed.
-        FileFormatError: MuJoCo cannot read the file, or it has something in it that a robot cannot have; the message names it.
-    """
+    """The robot of an MJCF file; raises as `compile_mjcf`, and FileFormatError that names what a robot cannot have."""
     mj = compile_mjcf(file)
     colliding = colliding_geoms(file, mj)
     names = _joint_names(mj)

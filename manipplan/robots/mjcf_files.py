@@ -40,11 +40,9 @@ CHECKED = {
 
 
 def compile_mjcf(file: Path) -> Any:
-    """The `mujoco.MjModel` of an MJCF file.
+    """The `mujoco.MjModel` of an MJCF file; raises MissingExtraError where MuJoCo is not installed.
 
-    Raises:
-        MissingExtraError: MuJoCo is not installed.
-        FileFormatError: MuJoCo cannot read the file, needs too much memory or time for it, or a number in it is too large.
+    Raises FileFormatError where MuJoCo cannot read the file, needs too much memory or time, or a number in it is too large.
     """
     _check_size(file, read_xml("file", file, "mujoco"))
     if importlib.util.find_spec("mujoco") is None:

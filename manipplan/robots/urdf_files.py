@@ -28,10 +28,7 @@ PROCESSOR, TIME_LIMIT = 4, 60.0
 def expand(folders: PackageFolders, arguments: Mapping[str, object], *, trust: bool) -> str:
     """The URDF that `folders.file` expands to, with values of its `xacro:arg` elements by name; `trust`: see `trust_file`.
 
-    Raises:
-        MissingExtraError: the package xacro is not installed.
-        FileFormatError: the file cannot be expanded; the message gives xacro's reason, and the files and macros concerned.
-        UnknownNameError: no file has an argument of that name; the nearest names are listed.
+    Raises FileFormatError with xacro's reason, and the files and macros concerned; and as `Robot.from_urdf`.
     """
     if importlib.util.find_spec("xacro") is None:
         raise MissingExtraError("xacro", "xacro")
@@ -106,10 +103,7 @@ class UrdfFiles:
     def root(self, file: Path) -> ET.Element:
         """The root of a URDF; a xacro file, and a URDF with expressions or elements of xacro, is expanded first.
 
-        Raises:
-            FileFormatError: the file is not XML, or cannot be expanded.
-            InvalidInputError: arguments are given for a file that has none by its kind.
-            MissingExtraError: the file has to be expanded, and the package xacro is not installed.
+        Raises as `expand`, and InvalidInputError where arguments are given for a file that has none by its kind.
         """
         if file.suffix != ".xacro":
             root = read_xml("file", file, "robot")
