@@ -10,11 +10,12 @@ import numpy as np
 from tyro.conf import OmitArgPrefixes, arg
 
 from manipplan.collision.scene import Scene
+from manipplan.goals.goal import read_configuration
 from manipplan.paths.export import NUMBER
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.task import Task
 
 
@@ -25,7 +26,13 @@ def _default(text: str) -> str:
 
 _option = partial(arg, help_behavior_hint=_default)
 
-RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT")]
+ROBOT = "A name that `manipplan robots` lists, or a URDF, xacro or MJCF file."
+JERK = "Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint."
+MEASURE = "Name of the manipulability measure; default: Yoshikawa's."
+RobotName: TypeAlias = Annotated[str, arg(metavar="ROBOT", help=ROBOT)]
+JerkLimits: TypeAlias = Annotated[tuple[float, ...], _option(metavar="X [X ...]", help=JERK)]
+MeasureName: TypeAlias = Annotated[str | None, _option(metavar="NAME", help=MEASURE)]
+OutFolder: TypeAlias = Annotated[Path, arg(metavar="FOLDER", help="Folder for the files that are written.")]
 OptionalRobot: TypeAlias = Annotated[str | None, _option(metavar="ROBOT")]
 Folder: TypeAlias = Annotated[Path, arg(metavar="FOLDER")]
 InputFile: TypeAlias = Annotated[Path, arg(metavar="FILE")]
@@ -73,21 +80,18 @@ class RobotOptions:
 
         `locked` are values of joints beside those of the option.
         """
-        limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
-        plain = {kind: value[0] if len(value) == 1 else value for kind, value in limits.items() if value}
-        files = {key: value for key, value in (("tool", self.tool), ("srdf", self.srdf)) if value is not None}
         held: dict[str, float] | str = {**(locked or {}), **dict(_value(each) for each in self.locked if "=" in each)}
         states = [each for each in self.locked if "=" not in each]
         if states:
             if held or len(states) > 1:
-                raise InvalidInputError(
-                    "locked", " ".join(self.locked), "values name=value, or the name of one state of the SRDF"
-                )
+                wanted = "values name=value, or the name of one state of the SRDF"
+                raise InvalidInputError("locked", " ".join(self.locked), wanted)
             held = states[0]
-        held_options = {"locked": held} if held else {}
-        return load_robot(name, **files, **plain, **held_options), Scene.from_yaml(
-            self.scene
-        ) if self.scene is not None else Scene()
+        limits = {"velocity": self.velocity, "acceleration": self.acceleration, "jerk": jerk}
+        options = {kind: value[0] if len(value) == 1 else value or None for kind, value in limits.items()}
+        given = {"tool": self.tool, "srdf": self.srdf, "locked": held or None, **options}
+        arm = load_robot(name, **{key: value for key, value in given.items() if value is not None})
+        return arm, Scene() if self.scene is None else Scene.from_yaml(self.scene)
 
 
 #: The options without a prefix, in a box of their own in the help.
@@ -104,13 +108,7 @@ def configuration_of(argument: str, words: Sequence[str], robot: Robot) -> Array
         return numbers
     if len(words) != 1:
         raise InvalidInputError(argument, " ".join(words), "one number per joint, or the name of one state")
-    if not robot.states:
-        raise InvalidInputError(
-            argument, words[0], "one number per joint: the robot has no named states with a value for each joint"
-        )
-    if words[0] not in robot.states:
-        raise UnknownNameError(argument, words[0], robot.states)
-    return robot.states[words[0]]
+    return read_configuration(argument, words[0], robot)
 
 
 def _value(text: str) -> tuple[str, float]:

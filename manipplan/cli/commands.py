@@ -22,16 +22,18 @@ from manipplan.cli.arm import (
     Distances,
     Folder,
     InputFile,
+    JerkLimits,
+    MeasureName,
     Metres,
     Number,
     Numbers,
     OptionalCount,
     OptionalDistances,
     OptionalFile,
-    OptionalName,
     OptionalRobot,
     OptionalSeconds,
     OptionalSpeed,
+    OutFolder,
     Part,
     RobotName,
     RobotOptions,
@@ -79,11 +81,11 @@ def plan(
     goal_pose: Numbers = (),
     goals: OptionalFile = None,
     constraints: OptionalFile = None,
-    out: Folder = Path("plan"),
+    out: OutFolder = Path("plan"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: Numbers = (),
+    jerk: JerkLimits = (),
     power: Number = 1.0,
-    measure: OptionalName = None,
+    measure: MeasureName = None,
     degree: Count = 6,
     shifts: Literal["none", "nearest", "within-limits"] = "none",
     clearance: Metres = 0.0,
@@ -95,17 +97,12 @@ def plan(
     """Plan a motion and write it as CSV, JSON and ROS JointTrajectory, with a report and a picture.
 
     Args:
-        options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: One angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         goal: As `start`. Give one of goal, goal-pose and goals.
         goal_pose: Pose of the tool in the world: x y z [m], then roll pitch yaw [rad] or a quaternion x y z w.
         goals: YAML file, under the key goals a list of position and rotation, q or state; the one with the best motion wins.
         constraints: YAML file with what the motion keeps, under the key constraints: tilt_limit, position_box and held_joints.
-        out: Folder for the files that are written.
-        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         power: Exponent of the manipulability in the objective.
-        measure: Name of the manipulability measure; default: Yoshikawa's.
         degree: Degree of the path's polynomial.
         shifts: Full turns of the goal's joints: none, those nearest to the start, or all that are within the limits.
         clearance: Minimum distance to keep [m].
@@ -115,8 +112,7 @@ def plan(
         time_limit: Time limit of the planner's search [s].
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         begin = configuration_of("start", start, arm)
         end = _goal(arm, goal, goal_pose, goals)
@@ -154,10 +150,10 @@ def _goal(arm: Robot, words: Sequence[str], pose: Sequence[float], file: Path | 
 def run(
     program: Positional[InputFile],
     /,
-    robot: RobotName = "",
-    out: Folder = Path("program"),
+    robot: OptionalRobot = None,
+    out: OutFolder = Path("program"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: Numbers = (),
+    jerk: JerkLimits = (),
     torque: bool = False,
     time_limit: OptionalSeconds = None,
 ) -> int:
@@ -166,18 +162,15 @@ def run(
     Args:
         program: YAML file with the keys start and steps and, where wanted, robot, locked, scene, blend and clearance.
         robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file, instead of that of the program.
-        out: Folder for the files that are written.
         options: Options of the robot, and a scene instead of that of the program.
-        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         torque: Keep the joints' effort limits as well.
         time_limit: Time limit of the whole job [s]; the best program that was found by then is written.
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         file = ProgramFile.read(program)
         if not (robot or file.robot):
-            raise InvalidInputError("robot", robot, "--robot, or the key robot in the program")
+            raise InvalidInputError("robot", robot or "", "--robot, or the key robot in the program")
         beside = file.path.parent / file.robot
         name = robot or (str(beside) if beside.is_file() else file.robot)
         arm, world = options.load(name, jerk=jerk, locked=file.locked)
@@ -215,21 +208,19 @@ def follow(
     pointing: Axis = None,
     only: Part = None,
     tolerance: OptionalDistances = None,
-    out: Folder = Path("follow"),
+    out: OutFolder = Path("follow"),
     options: WithRobotOptions = RobotOptions(),
-    jerk: Numbers = (),
+    jerk: JerkLimits = (),
     clearance: Metres = 0.0,
     closed: bool = False,
     torque: bool = False,
-    measure: OptionalName = None,
+    measure: MeasureName = None,
     seed: Count = 0,
     time_limit: OptionalSeconds = None,
 ) -> int:
     """Follow a workspace path with the largest minimum manipulability; write the motion as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         poses: CSV file with the columns x, y, z [m], qx, qy, qz, qw.
         start: Where the motion begins: one angle [rad] or length [m] per joint, or the name of a state in the robot's SRDF.
         tool_speed: Constant speed of the tool along the path [m/s].
@@ -242,19 +233,15 @@ def follow(
         pointing: Tool axis about which the tool may turn.
         only: What of the poses the tool follows; the rest is chosen for the manipulability.
         tolerance: Maximum deviation of the tool from the path [m] [rad].
-        out: Folder for the files that are written.
-        jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint.
         clearance: Minimum distance to keep [m].
         closed: The path returns to its start, and so does the motion.
         torque: Keep the joints' effort limits as well.
-        measure: Name of the manipulability measure; default: Yoshikawa's.
         seed: Random seed of free motions, and of inverse kinematics without a closed form.
         time_limit: Time limit of the whole job [s]; what was found by then is written.
     """
     folder = place_for("out", out)
     path = CartesianPath.from_csv(poses)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         made = follow_job(
             arm,
@@ -291,16 +278,14 @@ def improve(
     degrees: bool = False,
     column: Words = (),
     clearance: Metres = 0.0,
-    measure: OptionalName = None,
+    measure: MeasureName = None,
     time_limit: OptionalSeconds = None,
-    out: Folder = Path("improve"),
+    out: OutFolder = Path("improve"),
     options: WithRobotOptions = RobotOptions(),
 ) -> int:
     """Make a recorded joint motion smooth and raise its manipulability, and write it as CSV, JSON and ROS JointTrajectory.
 
     Args:
-        options: Options of the robot and its scene.
-        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         recorded: CSV file with the columns time [s] and q_JOINT [rad or m] of each joint, in any order; or a trajectory file
             that manipplan wrote.
         tolerance: Maximum deviation of the tool from the recorded poses [m] [rad].
@@ -308,13 +293,10 @@ def improve(
         degrees: The angles of the recording are in degrees.
         column: Column of the CSV file for a joint, or for time, that has another name: joint=column, time=column.
         clearance: Distance to keep from obstacles and between the arm's own links [m].
-        measure: Name of the manipulability measure; default: Yoshikawa's.
         time_limit: Time after which the search ends [s]; the best motion that was proven by then is written.
-        out: Folder for the files that are written.
     """
     folder = place_for("out", out)
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot)
         made = improve_job(
             arm,
@@ -351,7 +333,7 @@ def check(
     clearance: Metres = 0.0,
     torque: bool = False,
     power: Number = 1.0,
-    measure: OptionalName = None,
+    measure: MeasureName = None,
     degrees: bool = False,
     column: Words = (),
     json: bool = False,
@@ -360,10 +342,8 @@ def check(
 
     Args:
         trajectory: A file: .csv, .json, .yaml (ROS JointTrajectory) or .npz; or the folder of a saved plan or program.
-        robot: A name that `manipplan robots` lists, or a URDF, xacro or MJCF file.
         start: Where the motion has to begin: one angle [rad] or length [m] per joint, or the name of a state in the SRDF.
         goal: Where it has to end, as `start`.
-        options: Options of the robot and its scene.
         jerk: Jerk limits [rad/s³ or m/s³] instead of the robot's, one number or one per joint; inf: not checked.
         path: CSV file of poses that the tool has to follow, with the columns x, y, z [m], qx, qy, qz, qw.
         path_begin: Time from which the tool follows that path [s], after a lead-in.
@@ -374,13 +354,11 @@ def check(
         clearance: Minimum distance to keep [m].
         torque: Check the joints' effort limits as well.
         power: Exponent of the manipulability in g.
-        measure: Name of the manipulability measure; default: Yoshikawa's.
         degrees: The angles of the trajectory are in degrees.
         column: Column of a CSV file for a joint, or for time, that has another name: joint=column, time=column.
         json: Print the report as JSON.
     """
-    with terminal.progress() as notify:
-        notify(0.0, "loading the robot")
+    with terminal.progress("loading the robot") as notify:
         arm, world = options.load(robot, jerk=jerk)
         notify(0.3, "checking the motion")
         report = check_job(
@@ -418,8 +396,7 @@ def demo(out: Folder = Path("demo"), seed: Count = 0) -> int:
     """
     folder, codes = place_for("out", out), []
     for name, make in (("panda", panda_among_boxes), ("planar", planar_path)):
-        with terminal.progress() as notify:
-            notify(0.0, "loading the robot")
+        with terminal.progress("loading the robot"):
             problem = make()
         with terminal.progress() as notify:
             made = plan_job(
@@ -456,8 +433,7 @@ def view(
         record: Write this HTML file, which plays anywhere, instead of showing the page.
     """
     console = Console()
-    with terminal.progress() as notify:
-        notify(0.0, "loading the result")
+    with terminal.progress("loading the result") as notify:
         is_program = result.name == PROGRAM or (result / PROGRAM).is_file()
         shown = Program.load(result) if is_program else Plan.load(result)
         notify(0.3, "preparing the page")
@@ -524,8 +500,7 @@ def robots(name: Positional[OptionalRobot] = None, /, *, names: bool = False) ->
     """
     console = Console()
     if name is not None:
-        with terminal.progress() as notify:
-            notify(0.0, "loading the robot")
+        with terminal.progress("loading the robot"):
             text = str(load_robot(name))
         terminal.show_line(console, text)
         return

@@ -17,8 +17,8 @@ DEFAULT = "default"
 
 
 @contextmanager
-def progress() -> Iterator[Progress]:
-    """A bar with the fraction done and the remaining time; without a terminal, one line per tenth."""
+def progress(first: str = "") -> Iterator[Progress]:
+    """A bar with the fraction done and the remaining time; without a terminal, one line per tenth. `first`: its first text."""
     console = Console(stderr=True)
     if not console.is_terminal:
         last = -1
@@ -29,6 +29,8 @@ def progress() -> Iterator[Progress]:
                 last = int(10 * share)
                 console.print(terminal_text(f"... {10 * last} % {text}"))
 
+        if first:
+            line(0.0, first)
         yield line
         return
     from rich import progress as bars
@@ -40,7 +42,7 @@ def progress() -> Iterator[Progress]:
         bars.TimeRemainingColumn(),
     )
     with bars.Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("", total=1.0)
+        task = bar.add_task(first, total=1.0)
         yield lambda share, text: bar.update(task, completed=share, description=printable(text))
 
 

@@ -17,7 +17,7 @@ from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle, Part, PointCloud
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.arms import farthest
-from manipplan.robots.hulls import convex_hull, has_hull
+from manipplan.robots.hulls import convex_hull, find_hull
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array
 from manipplan.support.memo import once_per_pair
@@ -221,7 +221,7 @@ def _pieces(points: Array, radii: Array, cell: float, middle: Array) -> list[Arr
         cut = _find_cut(grid.solid[part], cell, hull.frames) if grid.has_empty(hull, corners) else None
         if cut is not None:
             open_parts += [part[cut], part[~cut]]
-        elif has_hull(corners):
+        elif find_hull(corners) is not None:
             done.append(corners)
         else:
             return None

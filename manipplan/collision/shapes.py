@@ -18,7 +18,7 @@ import pinocchio as pin
 from manipplan.collision import clouds, surfaces
 from manipplan.collision.surfaces import MeshPart, mesh_parts
 from manipplan.collision.world import mesh_triangles
-from manipplan.robots.hulls import FARTHEST, convex_hull, find_hull, has_hull
+from manipplan.robots.hulls import FARTHEST, convex_hull, find_hull
 from manipplan.robots.mesh_files import triangle_tree
 from manipplan.support.checks import (
     Array,
@@ -109,7 +109,7 @@ def _enclosed(argument: str, support: Callable[[Array], Any], excess: float | No
     while True:
         found = finite_array(argument, _answer(argument, support, new.copy()), (len(new), 3), most=FARTHEST)
         directions, points = np.concatenate([directions, new]), np.concatenate([points, found])
-        if not has_hull(points):
+        if find_hull(points) is None:
             if flat == 3:
                 raise InvalidInputError(argument, f"points {points[:3].tolist()}, ...", "points of a body with a volume")
             axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2]

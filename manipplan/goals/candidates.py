@@ -1,9 +1,4 @@
-"""GoalCandidate: a configuration that reaches a goal, with what is known about motions to it before any is planned.
-
-Straight lines from one configuration to others: what is known about motions before any is planned.
-
-Plans paths to the best candidates and chooses among them, while better ones are possible.
-"""
+"""Configurations that reach a goal, what is known about motions to them before any is planned, and the choice among them."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -26,7 +21,7 @@ from manipplan.optimize.result import PathResult
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import COINCIDENT, Array
+from manipplan.support.checks import COINCIDENT, Array, read_only
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError, OutOfReachError
@@ -42,8 +37,7 @@ class StraightLines:
     """Straight lines from one configuration to k others.
 
     Attributes:
-        m: (k, LINE_SAMPLES) the measure on each.
-        g: (k,) of each, estimated.
+        m, g: (k, LINE_SAMPLES) the measure on each, and (k,) of each, estimated.
         crossings: lower bound on the singularities that any path between its ends crosses; None for redundant arms.
         bound: (k,) upper bound on the minimum m of any path between its ends: the smaller m of both; 0 in another aspect.
     """
@@ -149,7 +143,9 @@ def find_candidates(
             rows.append(q)
             goals.append(k)
     held = constraints.held
-    solved = {} if held.any() else {k: pose for k, pose in poses.items() if not _needs_steps(robot, pose)}
+    few = has_few_joints(robot)  # too few to reach every pose: samples of what is free about a goal are out of reach
+    exact = {k: pose for k, pose in poses.items() if not few or (pose.axis is None and pose.tolerance is None)}
+    solved = {} if held.any() else exact
     found = reaching(robot, solved, start)
     rejected += [_outside(k, q, robot) for k, q in beyond_limits(robot, solved)]
     far = [k for k in poses if not (found.goals == k).any()]
@@ -208,7 +204,7 @@ def rate_candidates(q: Array, goals: Sequence[int], start: Array, integral: Path
     return [
         GoalCandidate(
             goal_index=goals[k],
-            q=_freeze(q[k]),
+            q=read_only(q[k].copy()),
             manipulability=float(lines.m[k, -1]),
             bound=float(lines.bound[k]),
             straight_length=float(np.linalg.norm(q[k] - start)),
@@ -238,18 +234,13 @@ def _ties(first: GoalCandidate, other: GoalCandidate) -> bool:
     return (first.least_crossings or 0) == (other.least_crossings or 0) and other.bound >= first.bound * (1 - TIE)
 
 
-def _needs_steps(robot: Robot, goal: PoseGoal) -> bool:
-    """Whether samples of what is free about a goal are out of reach, as the arm has too few joints to reach every pose."""
-    return has_few_joints(robot) and (goal.axis is not None or goal.tolerance is not None)
-
-
 def _outside(goal: int, q: Array, robot: Robot) -> GoalCandidate:
     """The candidate of a configuration (n,) outside the limits."""
     outside = robot.limits.outside(q)
     joint = int(outside.argmax())
     unit = "m" if robot.joint_types[joint] == "prismatic" else "rad"
     reason = f"left out: {robot.joint_names[joint]} is {outside[joint]:.3g} {unit} outside its limits"
-    return GoalCandidate(goal_index=goal, q=_freeze(q), status=reason)
+    return GoalCandidate(goal_index=goal, q=read_only(q.copy()), status=reason)
 
 
 def _refine(
@@ -328,12 +319,6 @@ def _describe(target: Target) -> object:
         return {tool: pose.matrix.tolist() for tool, pose in target.tools.items()}
     assert isinstance(target.pose, PoseGoal)
     return target.pose.matrix.tolist()
-
-
-def _freeze(q: Array) -> Array:
-    q = q.copy()
-    q.flags.writeable = False
-    return q
 
 
 #: Maximum number of paths that are planned, and of candidates to which one is tried.

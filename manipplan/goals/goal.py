@@ -29,12 +29,13 @@ from manipplan.support.checks import (
     finite_array,
     instance,
     pose_matrix,
+    read_only,
     rotation_matrix,
     unit_quaternion,
 )
 from manipplan.support.data_files import read_yaml
 from manipplan.support.display import one_line
-from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError, inside
 from manipplan.symbolic.task import Task
 
 
@@ -68,9 +69,7 @@ class PoseGoal:
             length = float(np.linalg.norm(axis))
             if length < 1e-9:
                 raise InvalidInputError("free_axis", self.free_axis, "an axis (3,) that is not zero")
-            axis = axis / length
-            axis.flags.writeable = False
-            object.__setattr__(self, "free_axis", axis)
+            object.__setattr__(self, "free_axis", read_only(axis / length))
         instance("of", self.of, str)
         if self.tolerance is not None and instance("tolerance", self.tolerance, Tolerance).position is None:
             raise InvalidInputError("tolerance", self.tolerance, "one with a position [m]: without it any place would do")
@@ -223,10 +222,8 @@ class Target:
     def with_grip(self, grip: Array) -> "Target":
         """The goal of the tool that this one of a part is, with the part at `grip` (4, 4) in the tool frame."""
         assert self.pose is not None
-        try:
+        with inside(self.argument):
             return Target(argument=self.argument, pose=self.pose.of_tool(grip))
-        except InvalidInputError as error:
-            raise InvalidInputError(f"{self.argument}.{error.argument}", error.value, error.allowed) from error
 
     def missed_by(self, robot: Robot, q: Array) -> str:
         """How far q (n,) is from the goal, up to full turns of joints without limits; "" where it is reached."""
@@ -246,8 +243,7 @@ class Target:
 def read_goals(argument: str, goal: Any, robot: Robot) -> tuple[tuple[Target, ...], bool]:
     """The goals of one argument, and whether they were given as a list.
 
-    Raises InvalidInputError, which names the entry of the list, for an empty list, a wrong shape, numbers that are not finite
-    or a matrix that is no rigid transform, and UnknownNameError for the name of no state.
+    Raises InvalidInputError, which names the entry of the list, for what is no goal, and UnknownNameError for no state's name.
     """
     if not isinstance(goal, list | tuple) and not (isinstance(goal, np.ndarray) and goal.ndim == 3):
         return (read_goal(argument, goal, robot),), False
@@ -302,7 +298,8 @@ def _read_pose(argument: str, goal: Any, arm: Robot) -> PoseGoal | None:
     """A pose of the tool of an arm; None where the goal is no pose."""
     if isinstance(goal, PoseGoal):
         if goal.axis is not None:
-            _task(argument, goal, arm)
+            with inside(argument):
+                goal.task(arm)  # whether the arm can turn about the free axis
         return goal
     if hasattr(goal, "homogeneous") or np.shape(goal if _has_shape(goal) else ()) == (4, 4):
         try:
@@ -330,14 +327,6 @@ def _one_configuration(argument: str, q: Any, robot: Robot) -> Array:
     if checked.ndim != 1:
         raise InvalidInputError(argument, q, f"one configuration of shape ({robot.n},)")
     return checked
-
-
-def _task(argument: str, goal: PoseGoal, robot: Robot) -> None:
-    """Raise InvalidInputError, which names the argument, where the arm cannot turn about the free axis."""
-    try:
-        goal.task(robot)
-    except InvalidInputError as error:
-        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
 
 
 def _is_configuration(goal: Any) -> bool:

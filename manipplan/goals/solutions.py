@@ -4,7 +4,7 @@ How far a pose is out of reach: the nearest configurations to it inside the limi
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,7 +83,8 @@ def nearest(
 
     q, miss = descend(robot.limits, slopes, q, held)
     size = np.linalg.norm(miss, axis=1)
-    reached = [_different(q[(owners == k) & (size <= REACHED)]) for k in range(len(goals))]
+    close = [q[(owners == k) & (size <= REACHED)] for k in range(len(goals))]
+    reached = [each[first_apart(each, DUPLICATE_DISTANCE)] for each in close]
     far = [k for k, each in enumerate(reached) if not len(each)]
     found = []
     for k, goal in enumerate(goals):
@@ -125,14 +126,7 @@ def beyond_links(robot: Robot, tool: str, goal: PoseGoal) -> str:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PoseResidual:
-    """What is missing to the tolerances of g goals.
-
-    Attributes:
-        kinematics: of the arm.
-        targets: (g, 4, 4) poses.
-        axes: (g, 3) free axes; zero where none is free.
-        allowed: (g, 2) tolerances [m, rad].
-    """
+    """What is missing to g goals: `targets` (g, 4, 4), free axes (g, 3) or zero, and tolerances `allowed` (g, 2) [m, rad]."""
 
     kinematics: Kinematics
     targets: Array
@@ -175,13 +169,13 @@ class PoseResidual:
         return miss, counting @ (self.kinematics.jacobian(q) * LENGTHS[:, None])
 
 
-def _different(q: Array) -> Array:
-    """Configurations (k, n) without those that are nearly the same as one before."""
-    different: list[Array] = []
-    for each in q:
-        if all(np.abs(each - other).max() > DUPLICATE_DISTANCE for other in different):
-            different.append(each)
-    return np.array(different).reshape(-1, q.shape[1])
+def first_apart(q: Array, spacing: float, most: int | None = None) -> list[int]:
+    """Indices of the first rows of q (k, n), at most `most`, of which none is within `spacing` of one before in all joints."""
+    chosen: list[int] = []
+    for k, each in enumerate(q):
+        if len(chosen) != most and all(np.abs(each - q[j]).max() > spacing for j in chosen):
+            chosen.append(k)
+    return chosen
 
 
 def _beyond(vectors: Array, most: Array) -> tuple[Array, Array]:
@@ -233,15 +227,8 @@ class Reaching:
 
     def rows(self, indices: NDArray[np.int64]) -> "Reaching":
         """These rows only, in this order."""
-        values = tuple(self.values[k] for k in indices)
-        return Reaching(
-            q=self.q[indices],
-            goals=self.goals[indices],
-            solvers=self.solvers[indices],
-            poses=self.poses[indices],
-            values=values,
-            families=self.families,
-        )
+        arrays = {name: getattr(self, name)[indices] for name in ("q", "goals", "solvers", "poses")}
+        return replace(self, **arrays, values=tuple(self.values[k] for k in indices))
 
 
 def reaching(robot: Robot, goals: dict[int, PoseGoal], near: Array) -> Reaching:

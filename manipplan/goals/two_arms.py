@@ -1,11 +1,4 @@
-"""Configurations that reach a goal of several tools: the solutions of each arm, joined where they are free of each other.
-
-OwnArm: the joints that move one tool alone, and their solutions for its goal with the other joints at given values.
-
-Ranking: which of the configurations that reach a goal of several tools are better, for the robot and for each arm alone.
-
-Values of the joints that move several tools, such as a torso, with which every tool can reach its goal.
-"""
+"""Configurations that reach a goal of several tools: the solutions of each arm, joined where they are free of each other."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -18,7 +11,7 @@ from numpy.typing import NDArray
 from manipplan.collision.model import CollisionModel
 from manipplan.cost.integral import PathIntegral
 from manipplan.goals.goal import PoseGoal
-from manipplan.goals.solutions import PoseResidual, beyond_links, nearest, reaching
+from manipplan.goals.solutions import PoseResidual, beyond_links, first_apart, nearest, reaching
 from manipplan.ik.newton import descend
 from manipplan.robots.arms import arm_of, own_joints, shared_joints
 from manipplan.robots.limits import nearest_turns
@@ -34,11 +27,8 @@ from manipplan.symbolic.task import Task
 class OwnArm:
     """The joints that move one tool alone, as an arm whose other joints are locked at the robot's neutral posture.
 
-    Attributes:
-        arm: the arm.
-        joints: indices of its joints.
-        carrier: index in the model of the last joint before those of the arm alone; 0: the world.
-        home: (4, 4) pose of that joint in the neutral posture.
+    `carrier` is the index in the model of the last joint before those of the arm; 0: the world. `home` is the pose (4, 4) of
+    that joint in the neutral posture.
     """
 
     arm: Robot
@@ -67,10 +57,6 @@ class OfTool:
     def rows(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> "OfTool":
         """These rows only."""
         return OfTool(q=self.q[rows], torso=self.torso[rows])
-
-    def with_more(self, other: "OfTool") -> "OfTool":
-        """These rows, then those of another set."""
-        return OfTool(q=np.vstack([self.q, other.q]), torso=np.concatenate([self.torso, other.torso]))
 
     def at(self, torso: int) -> "OfTool":
         """Those of the torso posture with this index."""
@@ -203,11 +189,8 @@ def meeting(
     begins = np.vstack([start, robot.neutral, random, *_between(robot, torsos, found)])
     q = _reaching(robot, goals, np.where(held, start, begins), held)
     _, width = _ranges(robot, shared)
-    different: list[Array] = []
-    for each in q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]:
-        if all((np.abs((each - other)[shared]) > SAME * width).any() for other in different):
-            different.append(each)
-    return np.array(different).reshape(-1, robot.n)
+    q = q[np.argsort(np.linalg.norm((q - start)[:, shared] / width, axis=1), kind="stable")]
+    return q[first_apart(q[:, shared] / width, SAME)]
 
 
 def _between(robot: Robot, torsos: Array, found: Mapping[str, OfTool]) -> list[Array]:
@@ -298,8 +281,7 @@ def reaching_tools(
 
     Each arm's solutions are those of its own joints. The joints that it shares are at their values of the start and on a grid,
     or, where nothing on the grid is free, where damped steps of all joints lead. Solutions of the arms with the same shared
-    values are joined, the best first: those whose manipulability is largest, up to that of the start, then the nearest to the
-    start.
+    values are joined, in the order of `Ranking`.
     """
     robot = model.robot
     far = [(tool, beyond_links(robot, tool, goal)) for tool, goal in goals.items()]
@@ -354,9 +336,10 @@ def _closer(
         own = own_arms(robot)[tool]
         stepped = torsos[len(common) :].copy()
         stepped[:, own.joints] = nearest_turns(own.arm, met[:, own.joints], start[list(own.joints)])
-        itself = OfTool(q=stepped, torso=np.arange(len(common), len(torsos)))
-        more = solutions(robot, tool, goal, torsos, start, held, by_steps=True) if len(torsos) else itself
-        found[tool] = itself.with_more(more)
+        found[tool] = itself = OfTool(q=stepped, torso=np.arange(len(common), len(torsos)))
+        if len(torsos):
+            more = solutions(robot, tool, goal, torsos, start, held, by_steps=True)
+            found[tool] = OfTool(q=np.vstack([itself.q, more.q]), torso=np.concatenate([itself.torso, more.torso]))
     return torsos, found
 
 
@@ -399,18 +382,10 @@ def _join(ranking: Ranking, torsos: Array, some: NDArray[np.int64], free: Mappin
         q = torsos[torso][None]
         for tool, each in free.items():
             own, joints = each.at(torso).q, list(ranking.robot.joints_of(tool))
-            own = own[_different(own, ranking.of_tool(tool, own), count)][:, joints]
+            own = own[ranking.of_tool(tool, own)]
+            own = own[first_apart(own, APART, count)][:, joints]
             q = np.repeat(q, len(own), axis=0)
             q[:, joints] = np.tile(own, (len(q) // max(len(own), 1), 1))
         found.append(q)
     joined = np.concatenate(found)
     return joined[ranking.whole(joined)]
-
-
-def _different(q: Array, order: NDArray[np.int64], count: int) -> list[int]:
-    """The first rows of q (k, n) in this order, none near another, at most a number of them."""
-    chosen: list[int] = []
-    for k in order.tolist():
-        if len(chosen) < count and all(np.abs(q[k] - q[j]).max() > APART for j in chosen):
-            chosen.append(k)
-    return chosen

@@ -19,9 +19,8 @@ import sys
 import threading
 import uuid
 from collections import OrderedDict, deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
-from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
@@ -45,7 +44,7 @@ from manipplan.robots.subchain import uncouple
 from manipplan.seeds.seeding import Seeding
 from manipplan.support.checks import ArrayLike, flag, instance, number, whole_number
 from manipplan.support.display import one_line
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, InvalidInputError, inside
 from manipplan.support.files import writable_folder
 from manipplan.support.memo import code_key, content_key, once_per_owner
 from manipplan.support.progress import Progress, as_callback
@@ -88,7 +87,7 @@ def checked(argument: str, problem: Problem) -> Problem:
     such problem is no reason to plan none.
     """
     instance(argument, problem, Problem)
-    with _inside(argument):
+    with inside(argument):
         robot, seeding = instance("robot", problem.robot, Robot), problem.seeding
         if problem.scene is not None:
             instance("scene", problem.scene, Scene)
@@ -114,15 +113,6 @@ def checked(argument: str, problem: Problem) -> Problem:
             constraints=constraints,
             clearance=clearance,
         )
-
-
-@contextmanager
-def _inside(argument: str) -> Iterator[None]:
-    """Errors of the block name the argument as a part of `argument`."""
-    try:
-        yield
-    except InvalidInputError as error:
-        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
 
 
 def options_of(problem: Problem) -> dict[str, Any]:

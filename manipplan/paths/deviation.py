@@ -49,6 +49,17 @@ class Deviation:
     rotation: float
     rotation_at: float
 
+    @classmethod
+    def largest(cls, at: Array, position: Array, rotation: Array) -> "Deviation":
+        """The largest of distances (k,) [m] and angles (k,) [rad] at places (k,)."""
+        far, turned = int(position.argmax()), int(rotation.argmax())
+        return cls(
+            position=float(position[far]),
+            position_at=float(at[far]),
+            rotation=float(rotation[turned]),
+            rotation_at=float(at[turned]),
+        )
+
     def excess(self, tolerance: Tolerance, of: str) -> str:
         """Which part of a tolerance is exceeded, and after which share `of` what; "" if it is kept."""
         instance("tolerance", tolerance, Tolerance)
@@ -443,11 +454,7 @@ def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -
 
 
 def _largest(position: Array, rotation: Array) -> Deviation:
-    worst, turned = int(position.argmax()), int(rotation.argmax())
-    last = max(len(position) - 1, 1)
-    return Deviation(
-        position=float(position[worst]), position_at=worst / last, rotation=float(rotation[turned]), rotation_at=turned / last
-    )
+    return Deviation.largest(np.arange(len(position)) / max(len(position) - 1, 1), position, rotation)
 
 
 def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[Array, Array]:

@@ -3,8 +3,6 @@
 The file holds the source of the robot, not the robot itself, and the joints' names, limits and screws and the outlines of the
 bodies, by which a different robot is detected. A checksum detects a file that was changed. Numbers keep all their digits.
 Infinite ones are strings, since JSON has none.
-
-A robot and a scene in JSON: their sources, and the data that identify a different robot.
 """
 
 import hashlib
@@ -41,7 +39,7 @@ from manipplan.robots.robot import Robot
 from manipplan.search.refine import Refinement
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
 from manipplan.support.data_files import from_json, json_ready, pack_array, read_array, read_json, unpack_array
-from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError
+from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, reading
 from manipplan.support.files import absolute_and_relative, finish, found_again, write_text
 from manipplan.support.memo import code_key
 from manipplan.support.status import Status
@@ -251,14 +249,21 @@ def _option(key: str, value: Any, change: Callable[[Any], Any]) -> Any:
 
 
 FORMAT, VERSION = "manipplan-plan", 3
+#: Parts of a plan that `from_json` restores, and numbers of its result, each with its type.
+PARTS = {
+    "path": JointPath,
+    "trajectory": Trajectory,
+    "report": PlanReport,
+    "tolerance": Tolerance,
+    "refinement": Refinement,
+}
+FIGURES = {"g": float, "length": float, "min_manipulability": float, "min_at": float, "first_paths": int, "missing": float}
 #: Name of the file in a result's folder.
 NAME = "plan.json"
 
 
 def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, home: Path | None = None) -> None:
-    """Write a plan, with the keys of its problem and of this code.
-
-    Parts that cannot be written are logged, now and when the file is read.
+    """Write a plan, with the keys of its problem and of this code; parts that cannot be written are logged, also at reading.
 
     `home` is the folder that the file will be in; None: the one that it is written to.
     """
@@ -276,12 +281,8 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, h
         **_result_data(plan.result),
         "status": plan.status,
         "message": plan.message,
-        "path": plan.path,
-        "trajectory": plan.trajectory,
-        "report": plan.report,
+        **{name: getattr(plan, name) for name in PARTS},
         "workspace_path": _workspace_data(plan.workspace_path),
-        "tolerance": plan.tolerance,
-        "refinement": plan.refinement,
         "constraints": [constraint_data(each) for each in plan.constraints],
         "goal_index": plan.goal_index,
         "candidates": plan.candidates,
@@ -293,6 +294,11 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, h
     for each in data["constraints"]:
         if "missing" in each:
             log.warning("%s: not written: %s", file, each["missing"])
+    write_checked_json(file, data)
+
+
+def write_checked_json(file: Path, data: Mapping[str, Any]) -> None:
+    """Write a file that `read_checked_json` reads."""
     plain = json_ready(data)
     write_text(file, json.dumps({**plain, "sha256": checksum(plain)}, allow_nan=False) + "\n")
 
@@ -300,7 +306,6 @@ def write_plan(plan: "PartialPlan", file: Path, *, problem: str | None = None, h
 def _result_data(result: PathResult | None) -> dict[str, Any]:
     if result is None:
         return {"result": None}
-    figures = ("g", "length", "min_manipulability", "min_at", "status", "seed_cost", "certificate", "first_paths", "missing")
     return {
         "task": result.task,
         "measure": measure_data(result.measure),
@@ -308,7 +313,7 @@ def _result_data(result: PathResult | None) -> dict[str, Any]:
         "floor": result.floor,
         "metric": result.metric,
         "seed": result.seed,
-        "result": {name: getattr(result, name) for name in figures},
+        "result": {name: getattr(result, name) for name in (*FIGURES, "status", "seed_cost", "certificate")},
     }
 
 
@@ -331,33 +336,21 @@ def plan_of(
     from manipplan.plans.result import PartialPlan, Plan
 
     folder = path.resolve().parent
-    try:
-        arm = robot_of(path, data["robot"], folder, robot)
-        world = scene_of(path, data["scene"], folder, scene)
-        joints = _maybe(data["path"], lambda each: from_json(each, JointPath))
+    with reading("file", path, "a result written by Plan.save, unchanged since"):
         parts: dict[str, Any] = {
-            "robot": arm,
-            "scene": world,
+            "robot": robot_of(path, data["robot"], folder, robot),
+            "scene": scene_of(path, data["scene"], folder, scene),
             "status": Status[data["status"]],
             "message": str(data["message"]),
-            "path": joints,
-            "trajectory": _maybe(data["trajectory"], lambda each: from_json(each, Trajectory)),
-            "report": _maybe(data["report"], lambda each: from_json(each, PlanReport)),
-            "result": _maybe(data["result"], lambda numbers: _path_result(path, data, numbers, joints, measure)),
+            **{name: None if data[name] is None else from_json(data[name], kind) for name, kind in PARTS.items()},
             "workspace_path": _maybe(data["workspace_path"], _workspace),
-            "tolerance": _maybe(data["tolerance"], lambda each: from_json(each, Tolerance)),
-            "refinement": _maybe(data["refinement"], lambda each: from_json(each, Refinement)),
             "constraints": _constraints(data["constraints"]),
             "goal_index": int(data["goal_index"]),
             "candidates": tuple(from_json(each, GoalCandidate) for each in data["candidates"]),
         }
+        parts["result"] = _maybe(data["result"], lambda numbers: _path_result(path, data, numbers, parts["path"], measure))
         complete = all(parts[name] is not None for name in ("path", "trajectory", "report", "result"))
         return Plan(**parts) if complete else PartialPlan(**parts)
-    except FileFormatError:
-        raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
-        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise FileFormatError("file", str(path), f"a result written by Plan.save, unchanged since ({reason})") from error
 
 
 def _path_result(
@@ -367,10 +360,7 @@ def _path_result(
         path=joints,
         # a seed that is the path itself remains the same object, by which pictures know that there is only one path
         seed=joints if data["seed"] == data["path"] else from_json(data["seed"], JointPath),
-        g=float(numbers["g"]),
-        length=float(numbers["length"]),
-        min_manipulability=float(numbers["min_manipulability"]),
-        min_at=float(numbers["min_at"]),
+        **{name: kind(numbers[name]) for name, kind in FIGURES.items()},
         power=float(data["power"]),
         floor=float(data["floor"]),
         task=from_json(data["task"], Task),
@@ -380,8 +370,6 @@ def _path_result(
         history=(),
         status=Status[numbers["status"]],
         certificate=_maybe(numbers["certificate"], lambda data: from_json(data, Certificate)),
-        first_paths=int(numbers["first_paths"]),
-        missing=float(numbers["missing"]),
     )
 
 

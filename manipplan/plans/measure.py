@@ -1,7 +1,4 @@
-"""Measures a finished trajectory: every figure of its Report, and what of it does not pass.
-
-How far the tool of a motion is from a workspace path, and the path from where the tool comes past.
-"""
+"""Measures a finished trajectory: every figure of its Report, and what of it does not pass."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields
@@ -51,7 +48,6 @@ def tool_distances(
 
     Args:
         path: the motion over its time, in shares of the duration [s].
-        kinematics: with the task.
         along: the parts of the motion on which the tool follows the path; (): all of it.
         tolerance: what the distances are compared with: a pose within it counts as such.
     """
@@ -75,19 +71,8 @@ def tool_distances(
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free, tolerance)))
         given = distances_from(whole, workspace_path.given, free, tolerance, is_reached=True)
         missed.append((workspace_path.knots, *given))
-    return _largest(left), _largest(missed)
-
-
-def _largest(parts: list[tuple[Array, Array, Array]]) -> Deviation:
-    """The largest distances of parts, each with the s at which they are, and the distances there."""
-    at, position, rotation = (np.concatenate(each) for each in zip(*parts, strict=True))
-    far, turned = int(position.argmax()), int(rotation.argmax())
-    return Deviation(
-        position=float(position[far]),
-        position_at=float(at[far]),
-        rotation=float(rotation[turned]),
-        rotation_at=float(at[turned]),
-    )
+    left_most, missed_most = (Deviation.largest(*map(np.concatenate, zip(*each, strict=True))) for each in (left, missed))
+    return left_most, missed_most
 
 
 #: Excess of a limit [rad, m], or share of it, up to which the limit counts as kept.
@@ -114,18 +99,14 @@ def measure(
     clearance: float = 0.0,
     torque: bool = False,
 ) -> Report:
-    """Measure a finished trajectory of the model's robot.
+    """Measure a finished trajectory of the model's robot, whose columns are the robot's joints, in their order.
 
     Args:
-        trajectory: its columns are the robot's joints, in their order.
-        model: the robot among its obstacles.
-        integral: the objective, with its task and measure.
         start, goal: (n,) where the motion has to begin and end [rad or m]; None: anywhere.
         workspace_path, tolerance: path of the tool, and how far the tool may be from it; None: no path.
         constraints: what every configuration has to keep; held joints keep their first value.
         along: the parts of the motion on which the tool follows that path; (): all of it.
-        clearance: required clearance [m].
-        torque: whether the torque limits are checked, too.
+        clearance, torque: required clearance [m], and whether the torque limits are checked, too.
     """
     robot, kinematics = model.robot, integral.kinematics
     path = trajectory.path()

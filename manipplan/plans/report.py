@@ -1,11 +1,4 @@
-"""Report: every figure of a finished trajectory, measured on the trajectory itself; PlanReport: what a plan adds.
-
-PathPart: a part of a motion on which the tool follows a workspace path.
-
-ToolFigure: what a report says of each tool of a robot with several.
-
-Comparison: a recorded motion and the improved one side by side, each figure measured in the same way.
-"""
+"""Report: every figure of a finished trajectory, measured on the trajectory itself; PlanReport: what a plan adds."""
 
 import json
 from collections.abc import Mapping
@@ -26,7 +19,7 @@ from manipplan.robots.limits import TakenToLimit
 from manipplan.support.checks import COINCIDENT, Array, existing_file
 from manipplan.support.data_files import from_json, json_ready, read_json
 from manipplan.support.display import one_line
-from manipplan.support.errors import FileFormatError
+from manipplan.support.errors import reading
 from manipplan.support.files import write_text
 from manipplan.support.status import RECORDED, Status
 from manipplan.symbolic.task import Task
@@ -145,18 +138,9 @@ def deviation_between(recorded: Trajectory, improved: Trajectory, integral: Path
     """
     even = np.linspace(0.0, 1.0, TIMES + 1)
     u = np.unique(np.concatenate([recorded.t / recorded.duration, improved.t / improved.duration, even]))
-    position, rotation = tool_distances(recorded, improved, u, integral)
-    far, turned = int(position.argmax()), int(rotation.argmax())
-    return Deviation(
-        position=float(position[far]), position_at=float(u[far]), rotation=float(rotation[turned]), rotation_at=float(u[turned])
-    )
-
-
-def tool_distances(recorded: Trajectory, improved: Trajectory, u: Array, integral: PathIntegral) -> tuple[Array, Array]:
-    """Distances [m] and angles [rad] (k,) between the tools of two motions at shares u (k,) of their times."""
     kinematics = integral.kinematics
     first, second = (kinematics.pose(each(np.minimum(u * each.duration, each.duration))) for each in (recorded, improved))
-    return pose_distances(first, second, kinematics.task)
+    return Deviation.largest(u, *pose_distances(first, second, kinematics.task))
 
 
 def pose_distances(first: Array, second: Array, task: Task) -> tuple[Array, Array]:
@@ -454,13 +438,9 @@ class Report:
     def from_json(cls, file: str | Path) -> "Report":
         """Read what `to_json` wrote, a PlanReport for that of a plan; raises FileFormatError for another file."""
         path = existing_file("file", file)
-        try:
+        with reading("file", path, "a report written by manipplan"):
             data = read_json("file", path)
             return from_json(data, PlanReport if "seed_g" in data else Report)
-        except FileFormatError:
-            raise
-        except (ValueError, TypeError, KeyError, AttributeError, RecursionError, OverflowError, OSError) as error:
-            raise FileFormatError("file", str(path), f"a report written by manipplan ({error})") from error
 
 
 @one_line

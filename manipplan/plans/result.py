@@ -212,9 +212,7 @@ def finish(
             Status.NO_TIMING.
         goal: (n,) where the motion has to end [rad or m]; None: where the path does.
         taken: joints of start and goal that were taken to a limit.
-        clearance, torque, throw: as in `plan`.
-        notify: called with the fraction done in [0, 1] and a text.
-        begins: the fraction at which this ending begins.
+        clearance, torque, throw, notify: as in `plan`; `begins` is the fraction done at which this ending begins.
         amend: adds to the report what only this job knows, and its faults.
     """
     path, result = draft.path, draft.result

@@ -3,7 +3,6 @@
 A program in files: program.json, and one file for each part.
 """
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +12,6 @@ from manipplan.collision.scene import Scene
 from manipplan.measures.measure import Measure
 from manipplan.paths.trajectory import Trajectory
 from manipplan.plans.archive import (
-    checksum,
     plan_of,
     read_checked_json,
     robot_data,
@@ -21,15 +19,16 @@ from manipplan.plans.archive import (
     scene_data,
     scene_of,
     with_parts,
+    write_checked_json,
     write_plan,
 )
 from manipplan.plans.report import shown
 from manipplan.plans.result import Plan
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, existing_file, instance, is_folder, path_of
-from manipplan.support.data_files import from_json, json_ready
+from manipplan.support.data_files import from_json
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.support.errors import FileFormatError, reading
 from manipplan.support.files import finish, replacing, write_text
 from manipplan.timing.constant_speed import SteadySpeed
 
@@ -224,24 +223,22 @@ def write_program(program: "Program", place: Path, *, home: Path) -> list[Path]:
     files = [place / NAME, *(place / f"part_{k}.json" for k in range(len(program.parts)))]
     for part, file in zip(program.parts, files[1:], strict=True):
         write_plan(part, file, home=home)
-    data = json_ready(
-        {
-            "format": FORMAT,
-            "version": VERSION,
-            "robot": robot_data(program.robot, folder),
-            "scene": scene_data(program.scene, folder),
-            "final_robot": robot_data(program.final_robot, folder),
-            "final_scene": scene_data(program.final_scene, folder),
-            "parts": len(program.parts),
-            "begins": program.begins,
-            "marks": program.marks,
-            "trajectory": program.trajectory,
-            "goals": {str(step): goal for step, goal in program.goals.items()},
-            "stops": program.stops,
-            "warnings": program.warnings,
-        }
-    )
-    write_text(files[0], json.dumps({**data, "sha256": checksum(data)}, allow_nan=False) + "\n")
+    data = {
+        "format": FORMAT,
+        "version": VERSION,
+        "robot": robot_data(program.robot, folder),
+        "scene": scene_data(program.scene, folder),
+        "final_robot": robot_data(program.final_robot, folder),
+        "final_scene": scene_data(program.final_scene, folder),
+        "parts": len(program.parts),
+        "begins": program.begins,
+        "marks": program.marks,
+        "trajectory": program.trajectory,
+        "goals": {str(step): goal for step, goal in program.goals.items()},
+        "stops": program.stops,
+        "warnings": program.warnings,
+    }
+    write_checked_json(files[0], data)
     return files
 
 
@@ -267,7 +264,7 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
             raise FileFormatError("folder", str(file), "a part of a program, with a trajectory")
         return made
 
-    try:
+    with reading("folder", path, "a program written by Program.save, unchanged since"):
         return Program(
             robot=arm_of(path, data["robot"]),
             scene=scene_of(path, data["scene"], home, None),
@@ -281,11 +278,6 @@ def read_program(folder: str | Path, *, robot: Robot | None, measure: Measure | 
             stops=_numbers(data["stops"]),
             warnings=tuple(str(each) for each in data["warnings"]),
         )
-    except FileFormatError:
-        raise
-    except (InvalidInputError, KeyError, TypeError, ValueError, AttributeError, OverflowError, OSError) as error:
-        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise FileFormatError("folder", str(path), f"a program written by Program.save, unchanged since ({reason})") from error
 
 
 def _numbers(data: Any) -> tuple[float, ...]:

@@ -1,7 +1,4 @@
-"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance.
-
-Whether a body that moves with the tool stays in an obstacle wherever in the tube the tool is: no motion is possible then.
-"""
+"""The best motion inside the tube around a recording that keeps the limits, the duration and the clearance."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -111,17 +108,9 @@ FINER, ROUNDING = (1, 2, 4), 1e-8
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Tube:
-    """What a motion has to keep.
+    """What a motion of a duration [s] has to keep: the tolerance of the recorded poses, and a clearance [m].
 
-    Attributes:
-        recorded: the motion in whose tube it is.
-        figures: those of `recorded`.
-        integral: g, with task and measure.
-        model: the robot among its obstacles.
-        tolerance: of the tool from the recorded poses.
-        clearance: required clearance [m].
-        duration: of the motion [s].
-        deadline: when the search has to end.
+    `figures` are those of the recording; the deadline is when the search has to end.
     """
 
     recorded: Trajectory

@@ -47,15 +47,7 @@ class Weights:
 
 
 class TubeProgram:
-    """The program for one recording; solved with different weights, tubes and clearance rows.
-
-    Args:
-        integral: g, with its task and measure.
-        basis: of the curve.
-        ends: of the motion.
-        duration: [s] at τ = 1.
-        limits: of the joints.
-    """
+    """The program for one recording; `duration` [s] is at τ = 1. Solved with different weights, tubes and clearance rows."""
 
     def __init__(self, integral: PathIntegral, basis: SplineBasis, ends: Ends, duration: float, limits: JointLimits) -> None:
         self.integral, self.basis, self.ends, self.duration, self.limits = integral, basis, ends, duration, limits
@@ -83,10 +75,8 @@ class TubeProgram:
         Args:
             control: (size, n) first curve.
             weights: of the objective; without one of the duration τ is 1.
-            poses: (k, 4, 4) centres of the tube at `u`.
-            tube: (k, 2) radii of the tube in position [m] and rotation [rad]; inf: not bounded.
-            least: minimum manipulability to keep.
-            rows: clearance rows.
+            poses, tube: (k, 4, 4) centres and (k, 2) radii [m, rad] of the tube at `u`; inf: not bounded.
+            least, rows: minimum manipulability and clearance rows to keep.
             deadline: no iteration is begun after it.
         """
         n = self.limits.n

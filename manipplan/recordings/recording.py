@@ -46,14 +46,11 @@ def read_motion(
     joints are converted.
     """
     degrees = flag("degrees", degrees)
-    entries = ValueNames(
-        argument=argument, file=Path(given) if isinstance(given, str | Path) else None, degrees=degrees, robot=robot
-    )
-    is_csv = isinstance(given, str | Path) and Path(given).suffix.lower() == ".csv"
-    if columns is not None and not is_csv:
+    entries = ValueNames(argument, given, degrees, robot)
+    if columns is not None and entries.csv is None:
         raise InvalidInputError("columns", columns, "None but for a CSV file")
     if isinstance(given, str | Path):
-        given = from_csv(given, joints=joints, columns=columns) if is_csv else read_trajectory(argument, given)
+        given = from_csv(given, joints=joints, columns=columns) if entries.csv else read_trajectory(argument, given)
     if not isinstance(given, Trajectory):
         raise InvalidInputError(argument, given, f"a Trajectory, or the path of a trajectory file ({', '.join(READERS)})")
     for name in given.joint_names:
@@ -75,7 +72,6 @@ def read_recording(
     robot: Robot, recorded: Trajectory | JointPath | str | Path, *, degrees: bool, columns: Mapping[str, str] | None = None
 ) -> Trajectory:
     """The recorded motion, its columns in the robot's order; see `improve`."""
-    file = Path(recorded) if isinstance(recorded, str | Path) else None
     if isinstance(recorded, JointPath):
         if flag("degrees", degrees):
             raise InvalidInputError("degrees", degrees, "False with a JointPath, which is in radians")
@@ -87,7 +83,7 @@ def read_recording(
     motion = read_motion(
         robot, "recorded", recorded, joints=robot.joint_names, degrees=degrees, columns=columns, fastest=DRIVEN
     )
-    _check(robot, motion, ValueNames(argument="recorded", file=file, degrees=degrees, robot=robot))
+    _check(robot, motion, ValueNames("recorded", recorded, degrees, robot))
     return motion
 
 
@@ -104,16 +100,18 @@ def noise_beyond_limits(robot: Robot, motion: Trajectory) -> tuple[TakenToLimit,
 class ValueNames:
     """Names and values of single numbers of a motion, as its user gave them."""
 
-    def __init__(self, *, argument: str, file: Path | None, degrees: bool, robot: Robot) -> None:
-        self.argument, self.file, self.robot = argument, file, robot
+    def __init__(self, argument: str, given: Trajectory | str | Path, degrees: bool, robot: Robot) -> None:
+        self.argument, self.robot = argument, robot
+        file = Path(given) if isinstance(given, str | Path) else Path()
+        self.csv = file if file.suffix.lower() == ".csv" else None
         self.degrees = np.array([degrees and kind != "prismatic" for kind in robot.joint_types])
 
     def name(self, row: int, joint: int) -> str:
         """Name of a position."""
         name = self.robot.joint_names[joint]
-        if self.file is None or self.file.suffix.lower() != ".csv":
+        if self.csv is None:
             return f"{self.argument}.q[{row}, {joint}] ({name})"
-        return f"{self.argument}: {self.file}, row {Table.read(self.file).rows[row][0]}, {name}"
+        return f"{self.argument}: {self.csv}, row {Table.read(self.csv).rows[row][0]}, {name}"
 
     def value(self, q: float, joint: int) -> float:
         """A position in the unit of the recording."""
@@ -129,10 +127,11 @@ def _check(robot: Robot, motion: Trajectory, entries: ValueNames) -> None:
         far = bool((outside > NO_DEGREES).any())
         prismatic = robot.joint_types[joint] == "prismatic"
         unit = "m" if prismatic else "rad"
+        from_degrees = np.where([kind == "prismatic" for kind in robot.joint_types], motion.q, np.deg2rad(motion.q))
         hint = ""
         if entries.degrees[joint] and not limits.outside(np.rad2deg(motion.q)).any():
             hint = "; all positions are inside the limits if they are in radians: leave degrees=True (--degrees) out"
-        if far and not prismatic and not entries.degrees.any() and not limits.outside(_from_degrees(robot, motion.q)).any():
+        if far and not prismatic and not entries.degrees.any() and not limits.outside(from_degrees).any():
             hint = "; all positions are inside the limits if they are in degrees: say degrees=True (--degrees)"
         value, low, high = (entries.value(each[joint], joint) for each in (motion.q[row], limits.lower, limits.upper))
         missed = limits_missed(low, high, value, "°" if entries.degrees[joint] else unit)
@@ -149,11 +148,6 @@ def _check(robot: Robot, motion: Trajectory, entries: ValueNames) -> None:
         )
     if np.ptp(motion.q, axis=0).max() < STILL:
         raise InvalidInputError("recorded", "a motion in which no joint moves", "a motion")
-
-
-def _from_degrees(robot: Robot, q: Array) -> Array:
-    """Positions with those of the revolute joints taken as degrees."""
-    return np.where([kind == "prismatic" for kind in robot.joint_types], q, np.deg2rad(q))
 
 
 #: Number of samples per piece at which a spline is fitted to a curve.
@@ -292,11 +286,10 @@ def smooth(motion: Trajectory, limits: JointLimits, enough: float) -> Smooth:
     basis, control = found[best]
     slopes = basis.values(np.linspace(0.0, 1.0, 201), 1) @ control
     fast = AT_REST * np.linalg.norm(slopes, axis=1).max()
-    start, goal = (slope if np.linalg.norm(slope) > fast else None for slope in slopes[[0, -1]])
     first, last = np.clip(motion.q[[0, -1]], limits.lower, limits.upper)
     start, goal = (
-        None if slope is None else _inside(basis, q, slope, inward, limits)
-        for q, slope, inward in ((first, start, 1), (last, goal, -1))
+        _inside(basis, q, slope, inward, limits) if np.linalg.norm(slope) > fast else None
+        for q, slope, inward in ((first, slopes[0], 1), (last, slopes[-1], -1))
     )
     ends = Ends(start=first, goal=last, start_slope=start, goal_slope=goal)
     curve = basis.values(basis.shares) @ control

@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.description import largest_size
+from manipplan.robots.hulls import box_around
 from manipplan.robots.model_tree import frame_index
 from manipplan.support.checks import Array, distinct_names
 from manipplan.support.errors import InvalidInputError, UnknownNameError
@@ -123,8 +124,7 @@ def with_part(
         raise InvalidInputError("shape", part, "a shape without a distance around it (radius of its CarriedPart)")
     most = largest_size(model)
     for shape in shapes:
-        shape.computeLocalAABB()
-        size = float((np.array(shape.aabb_local.max_) - np.array(shape.aabb_local.min_)).max())
+        size = float(np.ptp(box_around(shape), axis=0).max())
         if size > most:
             wanted = f"a part of at most {most:.3g} m, ten times the length of the arm or 5 m; {name} is {size:.3g} m long."
             raise InvalidInputError("shape", part, f"{wanted} Is it in another unit? mp.Mesh(scale=0.001) reads millimetres")

@@ -1,7 +1,4 @@
-"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file.
-
-Limits that manufacturers publish for arms that are recognised by the names of their joints.
-"""
+"""Arms by name: those of the package example-robot-data, and other collections; and the planar n-link arm, without a file."""
 
 import difflib
 import importlib
@@ -33,16 +30,13 @@ RANGE = ("lower", "upper", "velocity")
 
 @dataclass(frozen=True, kw_only=True)
 class DataSheet:
-    """Published limits of one arm.
+    """Published limits of the arm whose joints have these names in the maker's description, and where they are published.
 
-    Attributes:
-        joints: names of its joints in the maker's description.
-        limits: limits in SI units, by their names in JointLimits.
-        source: where they are published.
+    They are in SI units, one number or one per joint, by their names in JointLimits.
     """
 
     joints: tuple[str, ...]
-    limits: Mapping[str, tuple[float, ...]]
+    limits: Mapping[str, tuple[float, ...] | float]
     source: str
 
 
@@ -69,14 +63,19 @@ FR3 = DataSheet(
     source="Franka Robotics control interface, robot limits of the FR3: constant velocities on a narrower range of positions",
 )
 SHEETS = (PANDA, FR3)
+XARM7 = DataSheet(
+    joints=tuple(f"joint{k}" for k in range(1, 8)),
+    limits={"acceleration": float(np.deg2rad(1145.0)), "jerk": float(np.deg2rad(28647.0))},
+    source="UFACTORY xArm user manual, motion parameters",
+)
 
 
-def with_published_limits(robot: Robot, given: Collection[str]) -> Robot:
-    """The robot with the limits of its data sheet, if there is one, but for the kinds in `given`.
+def with_published_limits(robot: Robot, given: Collection[str], sheet: DataSheet | None = None) -> Robot:
+    """The robot with the limits of a data sheet, by default that of its joints, if any, but for the kinds in `given`.
 
     Where one of lower, upper and velocity is given, the sheet's other two are left out as well: they hold together.
     """
-    sheet = next((each for each in SHEETS if each.joints == robot.joint_names), None)
+    sheet = sheet or next((each for each in SHEETS if each.joints == robot.joint_names), None)
     if sheet is None:
         return robot
     left_out = {*given, *(RANGE if set(RANGE) & set(given) else ())}
@@ -99,7 +98,7 @@ class CatalogEntry:
         ik: method of `inverse_kinematics`; of several arms that of each.
         first: the first active joint; None: all joints that move a tool are active.
         neutral: usual posture, one value per joint [rad or m].
-        acceleration, jerk: published limits in SI units, one number or one per joint; `data_sheet` is their source.
+        sheet: published limits of an arm whose joints have names that say nothing.
     """
 
     folder: str
@@ -110,12 +109,10 @@ class CatalogEntry:
     first: str | None = None
     srdf: str | None = None
     neutral: tuple[float, ...] | None = None
-    acceleration: tuple[float, ...] | float | None = None
-    jerk: tuple[float, ...] | float | None = None
-    data_sheet: str = ""
+    sheet: DataSheet | None = None
 
 
-# Accelerations and jerks are given only where the manufacturer publishes them (those of the Panda are in SHEETS);
+# Accelerations and jerks are given only where the manufacturer publishes them (data sheets, above);
 # otherwise the default of JointLimits applies.
 _PANDA = CatalogEntry(
     folder="panda_description", urdf="urdf/panda.urdf", srdf="srdf/panda.srdf", tool="panda_hand_tcp", joints=7, ik="spherical"
@@ -242,9 +239,7 @@ CATALOG: Mapping[str, CatalogEntry] = {
         joints=7,
         ik="spherical",
         neutral=(0.0, -0.5, 0.0, 1.0, 0.0, 1.5, 0.0),
-        acceleration=float(np.deg2rad(1145.0)),
-        jerk=float(np.deg2rad(28647.0)),
-        data_sheet="UFACTORY xArm user manual, motion parameters",
+        sheet=XARM7,
     ),
     "kinova": _KINOVA,
     "anymal_kinova": replace(
@@ -426,26 +421,16 @@ def _read(file: Path, options: Mapping[str, object]) -> Robot:
 def _of_catalogue(name: str, options: Mapping[str, object]) -> Robot:
     entry = CATALOG[name]
     folder = _descriptions() / entry.folder
-    chosen: dict[str, object] = {
-        "tool": entry.tool,
-        "joints": None,
-        "srdf": folder / entry.srdf if entry.srdf else None,
-        "name": name,
-        "neutral": entry.neutral,
-    }
-    if "joints" in options or "tool" in options:
-        chosen["neutral"] = None  # the catalogue's posture is for the whole arm
-    robot_options = {**chosen, **options}
+    file = folder / entry.urdf
+    neutral = None if "joints" in options or "tool" in options else entry.neutral  # it is for the whole arm
+    chosen = {"tool": entry.tool, "joints": None, "srdf": folder / entry.srdf if entry.srdf else None, "neutral": neutral}
+    robot_options: dict[str, object] = {**chosen, "name": name, **options}
     if entry.first is not None and robot_options["joints"] is None:
-        robot_options["joints"] = _chain_from(folder / entry.urdf, str(robot_options["tool"]), entry.first)
-    robot = _read(folder / entry.urdf, robot_options)
+        robot_options["joints"] = _chain_from(file, str(robot_options["tool"]), entry.first)
+    robot = _read(file, robot_options)
     if robot_options["joints"] is None:
-        published = {"acceleration": entry.acceleration, "jerk": entry.jerk}
-        published = {kind: value for kind, value in published.items() if value is not None and kind not in options}
-        if published:
-            robot = robot.with_limits(source=entry.data_sheet, **published)  # type: ignore[arg-type]  # checked by with_limits itself
-        robot = with_published_limits(robot, options)
-    return replace(robot, source=RobotSource.of("catalogue", folder / entry.urdf, options, name=name))
+        robot = with_published_limits(robot, options, entry.sheet)
+    return replace(robot, source=RobotSource.of("catalogue", file, options, name=name))
 
 
 def planar_arm(lengths: ArrayLike, *, radius: float | None = None) -> Robot:

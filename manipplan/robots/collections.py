@@ -8,7 +8,6 @@ options of `load_robot` and returns a Robot, or the path of a robot's file.
 
 import importlib
 import os
-import subprocess
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -47,14 +46,7 @@ class RobotFile:
 
 
 def robot_file(name: str) -> RobotFile | None:
-    """The file of a name of robot_descriptions or of MuJoCo Menagerie; None for another name.
-
-    Raises:
-        UnknownNameError: the collection has no such robot, or the folder no such file; the nearest names are listed.
-        MissingExtraError: the package is not installed.
-        RobotNotFetchedError: the files are not in the cache, and could not be fetched.
-        FileFormatError: the folder has no file of a robot, or several.
-    """
+    """The file of a name of robot_descriptions or of MuJoCo Menagerie; None for another name. Raises as `load_robot`."""
     if name.startswith(MENAGERIE):
         return _of_menagerie(name)
     return _of_descriptions(name) if name.endswith(ENDING) else None
@@ -108,21 +100,21 @@ def _of_descriptions(name: str) -> RobotFile:
 
 def _fetch(name: str, package: str, robot: str) -> dict[str, Any]:
     """The files of a robot of a package, from its cache or the network, by `collections_child` in a process of its own."""
+    child, program = "manipplan.robots.collections_child", "the process that fetches it"
     with tempfile.TemporaryDirectory() as folder:
         try:
             request = {"package": package, "name": robot}
-            answer, run = commands.ask_module("manipplan.robots.collections_child", folder, request, limit=TIME_LIMIT)
-            reason = f"the process that fetches it ended with code {run.returncode}" if answer is None else answer.get("error")
-        except subprocess.TimeoutExpired:
-            answer, reason = None, f"it takes more than {TIME_LIMIT:g} s"
-    if answer is not None and reason is None:
+            answer, _ = commands.ask_module(child, folder, request, limit=TIME_LIMIT, program=program)
+        except commands.NoAnswerError as error:
+            answer = {"error": str(error)}
+    if "error" not in answer:
         return answer
     if name.startswith(MENAGERIE):
         remedy = f"run: mujoco-menagerie prefetch {robot}   or set {CHECKOUT} to a checkout"
     else:
         remedy = f"run: python -m robot_descriptions pull {name}   or copy its folder from another machine"
         remedy += f" ({DESCRIPTIONS_CACHE}, by default ~/.cache/robot_descriptions)"
-    raise RobotNotFetchedError(name, " ".join(str(reason).split()), remedy)
+    raise RobotNotFetchedError(name, " ".join(answer["error"].split()), remedy)
 
 
 def _of_menagerie(name: str) -> RobotFile:

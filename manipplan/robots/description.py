@@ -1,7 +1,5 @@
 """Robot descriptions: Pinocchio models with one plain number per joint, and how a URDF becomes one.
 
-RobotSource: what an arm was read from, so that the same arm can be built again.
-
 Implausible bodies and links: what is in millimetres and read in metres is 1,000 times too large and too far away.
 """
 
@@ -153,7 +151,7 @@ class RobotSource:
     """What an arm was read from, with the options that were given.
 
     Attributes:
-        kind: "catalogue", "urdf", "mjcf" or "planar".
+        kind: one of `KINDS`.
         name: of kind "catalogue" the name that `load_robot` was given, also one of another collection; else "".
         file: absolute path of the URDF, xacro or MJCF file that was read; None for the planar arm.
         options: other given options, as plain numbers, strings, tuples and paths: tool, joints, srdf, name, locked, neutral,
@@ -224,15 +222,10 @@ VISUAL_HINT = "collision='visual' checks the visual elements, if there are any"
 
 @dataclass(frozen=True, kw_only=True)
 class Description:
-    """Contents of a robot file.
+    """Contents of a robot file: the whole robot, one plain number per joint, and the joints that follow another one, by name.
 
-    Attributes:
-        file: the file that was read.
-        source: kind of the file, for messages.
-        model: the whole robot, one plain number per joint.
-        geometry: its collision bodies; the parent frame of each is the frame of its link.
-        mimics: the joints that follow another one, by name.
-        unchecked: pairs of bodies (names of geometry objects) that the description itself exempts from checks, with the reason.
+    The parent frame of each collision body in `geometry` is the frame of its link. `unchecked` has the pairs of bodies (names)
+    that the description itself exempts from checks, with the reason. `source` is the kind of the file, for messages.
     """
 
     file: Path

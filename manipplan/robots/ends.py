@@ -24,8 +24,7 @@ Anything else, such as two arms, or an arm and a head, is an error, which lists 
 
 import logging
 import re
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 import numpy as np
@@ -33,7 +32,7 @@ import pinocchio as pin
 
 from manipplan.robots.description import Description
 from manipplan.robots.hulls import box_corners
-from manipplan.robots.model_tree import Mimic, frame_index, is_prismatic, is_revolute, parent_bodies
+from manipplan.robots.model_tree import frame_index, is_prismatic, is_revolute, parent_bodies
 from manipplan.robots.srdf import Semantics
 from manipplan.support.errors import FileFormatError, InvalidInputError
 
@@ -96,7 +95,7 @@ def default_tool(read: Description, semantic: Semantics | None) -> str:
     if chosen is None:
         raise _several(tree, "the description has several ends on one body", tree.shown(joint))
     if joint in tree.hands:
-        fingers = [name for kid in tree.hands[joint] for name in tree.names_below(kid)]
+        fingers = [str(tree.model.names[k]) for kid in tree.hands[joint] for k in tree.below(kid)]
         log.info(
             "%s: the tool is %s, on the body that carries the fingers; locked: %s", read.file.name, chosen, ", ".join(fingers)
         )
@@ -125,21 +124,11 @@ def _several(tree: "_LinkTree", what: str, names: Sequence[str]) -> InvalidInput
     return InvalidInputError("tool", None, f"a frame name; {what}: {shown}. Choose one, as in {call}{two}")
 
 
-@dataclass(frozen=True)
 class _LinkTree:
     """The bodies and joints of a description, by the index of their frame and joint."""
 
-    read: Description
-
-    @property
-    def model(self) -> pin.Model:
-        """The whole robot."""
-        return self.read.model
-
-    @property
-    def mimics(self) -> Mapping[str, Mimic]:
-        """The followers."""
-        return self.read.mimics
+    def __init__(self, read: Description) -> None:
+        self.model, self.mimics, self.bodies = read.model, read.mimics, read.geometry.geometryObjects
 
     def name(self, body: int) -> str:
         """Name of a body."""
@@ -205,7 +194,8 @@ class _LinkTree:
             ends = [body for body in ends if carrier in self._above(body)]
         elif len(ends) == 1:
             return self.name(ends[0])
-        bare = [body for body in ends if not self._is_solid(body) and not SENSORS.search(self.name(body))]
+        solid = {item.parentFrame for item in self.bodies}
+        bare = [body for body in ends if body not in solid and not SENSORS.search(self.name(body))]
         only = bare[0] if len(bare) == 1 else carrier
         return _first_named(list(map(self.name, ends))) or (None if only is None else self.name(only))
 
@@ -245,10 +235,6 @@ class _LinkTree:
     def below(self, joint: int) -> list[int]:
         """A joint and all that it carries."""
         return [j for j in range(1, self.model.njoints) if joint in self.model.supports[j]]
-
-    def names_below(self, joint: int) -> list[str]:
-        """Names of these joints."""
-        return [str(self.model.names[j]) for j in self.below(joint)]
 
     def _is_hand(self, joint: int) -> bool:
         """Whether all that the rigid body of a joint carries are fingers, or one jaw."""
@@ -308,15 +294,11 @@ class _LinkTree:
         found = [
             float(np.linalg.norm(frame.placement.translation)) for frame in self.model.frames if frame.parentJoint == joint
         ]
-        for item in self.read.geometry.geometryObjects:
+        for item in self.bodies:
             if item.parentJoint == joint:
                 placed = box_corners(item.geometry) @ item.placement.rotation.T + item.placement.translation
                 found.append(float(np.linalg.norm(placed, axis=1).max()))
         return max(found, default=0.0)
-
-    def _is_solid(self, body: int) -> bool:
-        """Whether a body has collision geometry."""
-        return any(item.parentFrame == body for item in self.read.geometry.geometryObjects)
 
     def _above(self, body: int) -> list[int]:
         """A body and those that carry it, up to the root."""

@@ -24,13 +24,8 @@ FEW, SLACK, ROUNDING = 250, 1e-4, 1e-12
 MOST_NEIGHBOURS = 254
 
 
-def has_hull(corners: Array) -> bool:
-    """Whether corners (k, 3) [m] span a volume, and are near enough to their frame that rounding preserves it."""
-    return find_hull(corners) is not None
-
-
 def find_hull(corners: Array) -> "Hull | None":
-    """The hull of corners (k, 3) [m]; None where `has_hull` is false."""
+    """The hull of corners (k, 3) [m]; None where they span no volume, or are so far from their frame that rounding hides it."""
     if len(corners) < 4 or not np.abs(corners).max() <= FARTHEST:
         return None
     middle = corners - corners.mean(axis=0)
@@ -80,7 +75,7 @@ class Hull:
 
 
 def convex_hull(points: Array) -> Hull:
-    """The hull of points (k, 3) [m] for which `has_hull` is true."""
+    """The hull of points (k, 3) [m], of which `find_hull` finds one."""
     return _outward(points, _qhull(points))
 
 

@@ -6,6 +6,7 @@ PLY files, text and binary, strictly (counts and indices are checked before anyt
 that is cut off as a smaller mesh.
 """
 
+import math
 import re
 import struct
 from collections.abc import Mapping
@@ -92,17 +93,12 @@ def read_ply(file: Path, *, rows: int, faces: int) -> Ply:
     if any(each.name == "tristrips" and each.count for each in elements):
         raise ValueError("it has triangle strips (tristrips), which are not read")
     for key in CORNERS:
-        found = list(values.get("face", {}).get(key, ()))
-        _check_corners(found, len(vertices))
-        corners += found
-    return Ply(vertices=vertices, faces=corners)
-
-
-def _check_corners(rows: Rows, corners: int) -> None:
-    flat = np.concatenate(rows) if rows else np.empty(0)
-    wrong = flat[~((flat >= 0) & (flat < corners) & (flat == np.floor(flat)))]
+        corners += list(values.get("face", {}).get(key, ()))
+    flat = np.concatenate(corners) if corners else np.empty(0)
+    wrong = flat[~((flat >= 0) & (flat < len(vertices)) & (flat == np.floor(flat)))]
     if len(wrong):
-        raise ValueError(f"a face names corner {wrong[0]:g} of {corners}")
+        raise ValueError(f"a face names corner {wrong[0]:g} of {len(vertices)}")
+    return Ply(vertices=vertices, faces=corners)
 
 
 def _header(text: str) -> tuple[str, list[_Element]]:
@@ -185,42 +181,32 @@ class _Binary:
         """The values of each property: (count,), or one array per row for a list."""
         if not element.properties or not element.count:
             return {}
-        sizes = self._sizes(element)
-        kind = self._row(element, sizes)
+        kind = self._row(element)
         whole = element.count * kind.itemsize
+        lists = [each.name for each in element.properties if each.length is not None]
         if whole <= len(self.body) - self.at:
             rows = np.frombuffer(self.body, kind, element.count, self.at)
-            if all((rows[f"length of {name}"] == size).all() for name, size in sizes.items()):
+            if all((rows[f"length of {name}"] == rows[name].shape[1]).all() for name in lists):
                 self.at += whole
-                return {
-                    each.name: list(rows[each.name].astype(float)) if each.length else rows[each.name].astype(float)
-                    for each in element.properties
-                }
-        elif not sizes:
+                columns = {each.name: rows[each.name].astype(float) for each in element.properties}
+                return {name: list(column) if name in lists else column for name, column in columns.items()}
+        elif not lists:
             raise ValueError(f"{whole} bytes where {len(self.body) - self.at} are left")
         return self._row_by_row(element)
 
-    def _sizes(self, element: _Element) -> dict[str, int]:
-        """The length of each list in the first row."""
-        at, sizes = self.at, {}
+    def _row(self, element: _Element) -> "np.dtype[np.void]":
+        """The type of a row whose lists are as long as those of the first one."""
+        at, parts = self.at, list[tuple[str, str, tuple[int, ...]]]()
         for each in element.properties:
-            size = 1
+            shape: tuple[int, ...] = ()
             if each.length is not None:
-                [size] = struct.unpack_from(self.order + each.length, self.body, at)
+                shape = struct.unpack_from(self.order + each.length, self.body, at)
                 at += struct.calcsize(each.length)
-                sizes[each.name] = int(size)
-            if not 0 <= size <= len(self.body):
-                raise ValueError(f"a list of {size} numbers")
-            at += int(size) * struct.calcsize(each.code)
-        return sizes
-
-    def _row(self, element: _Element, sizes: Mapping[str, int]) -> "np.dtype[np.void]":
-        """The type of a row whose lists have these lengths."""
-        parts: list[tuple[str, str, tuple[int, ...]]] = []
-        for each in element.properties:
-            if each.length is not None:
                 parts.append((f"length of {each.name}", self.order + each.length, ()))
-            parts.append((each.name, self.order + each.code, () if each.length is None else (sizes[each.name],)))
+            if not 0 <= math.prod(shape) <= len(self.body):
+                raise ValueError(f"a list of {shape[0]} numbers")
+            at += math.prod(shape) * struct.calcsize(each.code)
+            parts.append((each.name, self.order + each.code, shape))
         return np.dtype(parts)
 
     def _row_by_row(self, element: _Element) -> Mapping[str, Rows]:
@@ -258,12 +244,9 @@ Faces = NDArray[np.int64]
 
 @dataclass(frozen=True, kw_only=True)
 class MeshFile:
-    """The contents of a mesh file, with the transforms of its scene graph applied.
+    """Triangles (t, 3, 3) of a mesh file in its own numbers, with the transforms of its scene graph applied.
 
-    Attributes:
-        triangles: (t, 3, 3), in the numbers of the file.
-        unit: length of the unit that the file states [m]; 1 when it states none.
-        up: axis that the file states as vertical; "" when it states none.
+    `unit` [m] and the vertical axis `up` are those that the file states; 1 and "" when it states none.
     """
 
     triangles: Array
@@ -346,7 +329,6 @@ def _stl(data: bytes) -> Array:
     count = int.from_bytes(data[80:HEADER], "little") if len(data) >= HEADER else -1
     if len(data) == HEADER + FACET.itemsize * count:
         check_count(count)
-    if len(data) == HEADER + FACET.itemsize * count:
         return np.asarray(np.frombuffer(data, FACET, count, HEADER)["corners"], dtype=float)
     if b"\0" in data or not re.match(rb"\s*solid", data, re.IGNORECASE):  # a binary header may begin with "solid", too
         held = max(len(data) - HEADER, 0) / FACET.itemsize

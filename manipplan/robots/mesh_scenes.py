@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.robots.xml_files import DEEPEST, read_bounded_xml
@@ -348,9 +349,7 @@ def _rotation(axis: Array, angle: float) -> Array:
     length = np.linalg.norm(axis)
     if not length > 0:
         raise ValueError("a rotation about an axis of length zero")
-    x, y, z = axis / length
-    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.asarray(np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K)
+    return np.asarray(pin.AngleAxis(angle, axis / length).toRotationMatrix())
 
 
 #: Extensions that say nothing about the shape.
@@ -362,40 +361,29 @@ FLOAT = 5126
 
 
 def read_gltf(file: Path) -> Array:
-    """Triangles (t, 3, 3) of the default scene, in its root frame.
+    """Triangles (t, 3, 3) of the default scene, in its root frame; raises MissingExtraError without trimesh.
 
-    Raises:
-        ValueError: the file is not valid, or needs an extension or a kind of primitive that is not read.
-        MissingExtraError: trimesh is not installed.
+    Raises ValueError where the file is not valid, or needs an extension or a kind of primitive that is not read.
     """
     count = _count_primitives(_document(file.read_bytes()))
     try:
         import trimesh
     except ImportError as error:
         raise MissingExtraError("trimesh", "mesh") from error
+    found = [np.empty((0, 3, 3))]
     try:
         scene = trimesh.load_scene(file, process=False)
-        found = [
-            move_triangles(np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)], transform)
-            for transform, mesh in _place_meshes(scene)
-        ]
+        for transform, name in map(scene.graph.get, scene.graph.nodes_geometry):
+            mesh = scene.geometry[name]
+            if hasattr(mesh, "faces"):
+                corners = np.asarray(mesh.vertices, dtype=float)[np.asarray(mesh.faces)]
+                found.append(move_triangles(corners, np.asarray(transform, dtype=float)))
     except Exception as error:  # trimesh raises whatever happens to it on a broken file
         raise ValueError(f"trimesh says: {type(error).__name__}: {error}") from error
-    triangles = np.concatenate([np.empty((0, 3, 3)), *found])
+    triangles = np.concatenate(found)
     if count and not len(triangles):
         raise ValueError("none of its triangles can be read")
     return triangles
-
-
-def _place_meshes(scene: Any) -> list[tuple[Array, Any]]:
-    """Transform (4, 4) and mesh of each node that has triangles."""
-    placed = []
-    for node in scene.graph.nodes_geometry:
-        transform, name = scene.graph[node]
-        mesh = scene.geometry[name]
-        if hasattr(mesh, "faces"):
-            placed.append((np.asarray(transform, dtype=float), mesh))
-    return placed
 
 
 def _document(data: bytes) -> Any:

@@ -6,7 +6,7 @@ positions of joints are MuJoCo's `qpos`, and the limits its `jnt_range`. Free bo
 
 import logging
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -41,12 +41,7 @@ FILTER_PARENT = "mjDSBL_FILTERPARENT"
 
 
 def read_mjcf(file: Path) -> Description:
-    """The robot of an MJCF file.
-
-    Raises:
-        MissingExtraError: MuJoCo is not installed.
-        FileFormatError: MuJoCo cannot read the file, or it has something in it that a robot cannot have; the message names it.
-    """
+    """The robot of an MJCF file; raises as `compile_mjcf`, and FileFormatError that names what a robot cannot have."""
     mj = compile_mjcf(file)
     colliding = colliding_geoms(file, mj)
     names = _joint_names(mj)
@@ -213,10 +208,6 @@ def _joints_of(mj: Any, body: int) -> list[int]:
     return [k for k in joints if JOINTS[mj.jnt_type[k]] != "free"]
 
 
-def _is_free(mj: Any, body: int) -> bool:
-    return bool(mj.body_jntnum[body]) and JOINTS[mj.jnt_type[mj.body_jntadr[body]]] == "free"
-
-
 def _body_names(mj: Any) -> list[str]:
     """The name of each body; one without a name is called after its number."""
     taken = {mj.body(k).name for k in range(mj.nbody)}
@@ -268,23 +259,24 @@ def _geometry(file: Path, mj: Any, model: pin.Model, frames: Sequence[int], geom
     return geometry
 
 
+#: The shape of each kind of geom without triangles, from its size (3,).
+PRIMITIVES: Mapping[str, Callable[[Sequence[float]], coal.CollisionGeometry]] = {
+    "plane": lambda _: coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0),
+    "sphere": lambda size: coal.Sphere(size[0]),
+    "capsule": lambda size: coal.Capsule(size[0], 2 * size[1]),
+    "cylinder": lambda size: coal.Cylinder(size[0], 2 * size[1]),
+    "ellipsoid": lambda size: coal.Ellipsoid(*size),
+    "box": lambda size: coal.Box(*(2 * each for each in size)),
+}
+
+
 def _primitive(file: Path, kind: str, name: str, size: Sequence[float]) -> coal.CollisionGeometry:
     if kind != "plane" and max(size) > FARTHEST:
         raise FileFormatError("file", str(file), f"geoms of at most {FARTHEST:g} m; the {kind} {name} has the size {size}")
-    if kind == "plane":
-        return coal.Halfspace(np.array([0.0, 0.0, 1.0]), 0.0)
-    if kind == "sphere":
-        return coal.Sphere(size[0])
-    if kind == "capsule":
-        return coal.Capsule(size[0], 2 * size[1])
-    if kind == "cylinder":
-        return coal.Cylinder(size[0], 2 * size[1])
-    if kind == "ellipsoid":
-        return coal.Ellipsoid(*size)
-    if kind == "box":
-        return coal.Box(*(2 * each for each in size))
-    wanted = f"geoms of the kinds {', '.join(SHAPES[:-1])}; {name} is of the kind {kind}: make it a mesh, or give it"
-    raise FileFormatError("file", str(file), f'{wanted} contype="0" conaffinity="0"')
+    if kind not in PRIMITIVES:
+        wanted = f"geoms of the kinds {', '.join(SHAPES[:-1])}; {name} is of the kind {kind}: make it a mesh, or give it"
+        raise FileFormatError("file", str(file), f'{wanted} contype="0" conaffinity="0"')
+    return PRIMITIVES[kind](size)
 
 
 def _height_field(file: Path, mj: Any, number: int) -> tuple[Array, NDArray[np.int64]]:
@@ -328,25 +320,14 @@ def _find_unchecked(mj: Any, geoms: Sequence[int], names: Sequence[str]) -> dict
     # MuJoCo checks a fixed base against the first link, which it touches by construction
     child |= (body[:, None] == mj.body_parentid[body]) & (body[:, None] > 0) & (weld[:, None] == 0) & (weld == body)
     masks = (mj.geom_contype[of][:, None] & mj.geom_conaffinity[of]) | (mj.geom_conaffinity[of][:, None] & mj.geom_contype[of])
-    excluded = {frozenset((int(each) >> 16, int(each) & 0xFFFF)) for each in mj.exclude_signature}
-    named = {frozenset(pair) for pair in zip(mj.pair_geom1.tolist(), mj.pair_geom2.tolist(), strict=True)}
-    unchecked = {}
-    for j in range(len(of)):
-        for i in range(j):
-            reason = None
-            if is_one_link[i, j]:
-                reason = ONE_BODY
-            elif frozenset((int(of[i]), int(of[j]))) in named:
-                continue
-            elif frozenset((int(body[i]), int(body[j]))) in excluded:
-                reason = EXCLUDED
-            elif child[i, j] or child[j, i]:
-                reason = ADJACENT
-            elif not masks[i, j]:
-                reason = MASKED
-            if reason is not None:
-                unchecked[frozenset((names[i], names[j]))] = reason
-    return unchecked
+    named, excluded = np.zeros(masks.shape, dtype=bool), np.zeros((mj.nbody, mj.nbody), dtype=bool)
+    named[np.searchsorted(of, mj.pair_geom1), np.searchsorted(of, mj.pair_geom2)] = True
+    excluded[mj.exclude_signature >> 16, mj.exclude_signature & 0xFFFF] = True
+    excluded = excluded[np.ix_(body, body)]
+    kinds = ((is_one_link, ONE_BODY), (named, ""), (excluded, EXCLUDED), (child, ADJACENT), (masks == 0, MASKED))
+    reasons = np.select([each | each.T for each, _ in kinds], [reason for _, reason in kinds], "")
+    pairs = ((i, j) for j in range(len(of)) for i in range(j) if reasons[i, j])
+    return {frozenset((names[i], names[j])): str(reasons[i, j]) for i, j in pairs}
 
 
 def _flag(mj: Any, name: str) -> bool:
@@ -396,19 +377,14 @@ def _log_left_out(file: Path, mj: Any) -> None:
     constraints = [f"{count} <{kind}> of <equality>" for kind, count in active.items() if kind != "joint"]
     limited = int(np.count_nonzero(mj.tendon_limited))
     constraints += [f"limits of {limited} tendon{'s' * (limited > 1)}"] * bool(limited)
-    free = [_body_names(mj)[k] for k in range(1, mj.nbody) if _is_free(mj, k)]
-    others = [f"the free joint of {each}, which stays where it is" for each in free]
+    bodies, free = _body_names(mj), JOINTS.index("free")
+    others = [f"the free joint of {bodies[body]}, which stays where it is" for body in mj.jnt_bodyid[mj.jnt_type == free]]
     kinds = (("ntendon", "tendon"), ("nflex", "flex"), ("nskin", "skin"), ("nplugin", "plugin"))
-    others += list(_count(mj, (*kinds, ("nu", "actuator"), ("nkey", "keyframe"))))
+    for attribute, kind in (*kinds, ("nu", "actuator"), ("nkey", "keyframe")):
+        count = int(getattr(mj, attribute))
+        others += [f"{count} {kind}{'s' * (count > 1)}"] * bool(count)
     others += ["gravcomp"] if np.any(mj.body_gravcomp) else []
     others += ["contact=disable"] if _flag(mj, "mjDSBL_CONTACT") else []
     if constraints or others:
         say = log.warning if constraints else log.info
         say("%s: not taken over: %s", file, ", ".join([*constraints, *others]))
-
-
-def _count(mj: Any, kinds: Sequence[tuple[str, str]]) -> Iterator[str]:
-    for attribute, name in kinds:
-        count = int(getattr(mj, attribute))
-        if count:
-            yield f"{count} {name}{'s' * (count > 1)}"

@@ -9,8 +9,6 @@ import importlib.util
 import logging
 import math
 import os
-import signal
-import subprocess
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -42,11 +40,9 @@ CHECKED = {
 
 
 def compile_mjcf(file: Path) -> Any:
-    """The `mujoco.MjModel` of an MJCF file.
+    """The `mujoco.MjModel` of an MJCF file; raises MissingExtraError where MuJoCo is not installed.
 
-    Raises:
-        MissingExtraError: MuJoCo is not installed.
-        FileFormatError: MuJoCo cannot read the file, needs too much memory or time for it, or a number in it is too large.
+    Raises FileFormatError where MuJoCo cannot read the file, needs too much memory or time, or a number in it is too large.
     """
     _check_size(file, read_xml("file", file, "mujoco"))
     if importlib.util.find_spec("mujoco") is None:
@@ -54,18 +50,16 @@ def compile_mjcf(file: Path) -> Any:
     with tempfile.TemporaryDirectory() as folder:
         request = {"file": str(file.expanduser().absolute()), "processor": PROCESSOR}
         try:
-            answer, run = commands.ask_module(__name__, folder, request, limit=TIME_LIMIT)
-        except subprocess.TimeoutExpired as error:
-            raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
-        except OSError as error:
-            raise _fault(file, f"MuJoCo cannot be started ({error.strerror})") from error
-        if answer is None:
-            raise _fault(file, _end_of(run))
+            answer, said = commands.ask_module(__name__, folder, request, limit=TIME_LIMIT, program="MuJoCo")
+        except commands.NoAnswerError as error:
+            raise _fault(file, str(error)) from error
         if "error" in answer:
             raise _fault(file, f"MuJoCo says: {answer['error']}")
-        model = _read(Path(folder, "model.mjb"))
-    if run.stderr.strip():
-        log.warning("%s: MuJoCo says: %s", file, printable(" ".join(run.stderr[:2000].split())))
+        import mujoco
+
+        model = mujoco.MjModel.from_binary_path(str(Path(folder, "model.mjb")))
+    if said.strip():
+        log.warning("%s: MuJoCo says: %s", file, printable(" ".join(said[:2000].split())))
     try:
         model.names.decode()
     except UnicodeDecodeError as error:  # in an included file
@@ -140,22 +134,6 @@ def _check_size(file: Path, root: ET.Element) -> None:
 def _numbers(text: str | None) -> tuple[float, ...]:
     """The numbers in an attribute; none where it holds anything else, which MuJoCo refuses."""
     return numbers(text, len((text or "").split()), largest=math.inf) or ()
-
-
-def _read(file: Path) -> Any:
-    import mujoco
-
-    return mujoco.MjModel.from_binary_path(str(file))
-
-
-def _end_of(run: subprocess.CompletedProcess[str]) -> str:
-    """How the process ended that should have compiled a file."""
-    if run.returncode == -signal.SIGXCPU:
-        return f"it takes MuJoCo more than {PROCESSOR} s, as one that repeats bodies without end does"
-    if run.returncode < 0:
-        return f"MuJoCo ended by {signal.Signals(-run.returncode).name}"
-    last = (run.stderr.strip().splitlines() or ["no message"])[-1]
-    return f"MuJoCo ended with code {run.returncode}: {last}"
 
 
 def _check_numbers(file: Path, model: Any) -> None:

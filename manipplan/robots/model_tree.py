@@ -286,14 +286,10 @@ def moves_with(mimic: Mimic, joints: Collection[str]) -> bool:
 
 
 def follow(held: Mapping[str, float], given: Mapping[str, float], mimics: Mapping[str, Mimic]) -> dict[str, float]:
-    """The locked joints with every follower among them at the position that its leader gives it.
+    """All locked joints, as in `held` [rad or m], with every follower among them at the position that its leader gives it.
 
-    Args:
-        held: values of all locked joints [rad or m].
-        given: those of the user, among which no follower may differ from its leader.
-        mimics: the followers. A leader that is not locked is a fixed joint or the world: its position is 0.
-
-    Raises InvalidInputError when the user's value of a follower differs; the message gives the leader's.
+    A leader that is not locked is a fixed joint or the world: its position is 0. Raises InvalidInputError when the value of a
+    follower that the user has given differs; the message gives the leader's.
     """
     positions = dict(held)
     for name in mimics.keys() & held.keys():

@@ -23,13 +23,9 @@ _ONE_AT_A_TIME = threading.RLock()
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OwnInverseKinematics:
-    """A solver of the user, with the arm that it speaks of.
+    """A solver of the user; `complete`: whether it returns every solution, up to full turns.
 
-    Attributes:
-        solver: the function.
-        complete: whether it returns every solution, up to full turns.
-        base: (4, 4) pose of the base for which it was given.
-        tool: (4, 4) pose of the tool frame for which it was given, in the last link.
+    It was given for poses (4, 4) of the base in the world, and of the tool frame in the last link.
     """
 
     solver: PoseSolver = field(repr=False)

@@ -18,10 +18,7 @@ class PackageFolders:
     a folder above it; they need a package.xml, because a file may ask for any name. 4. What ROS has installed, if its set-up
     script was run: AMENT_PREFIX_PATH and ROS_PACKAGE_PATH.
 
-    Attributes:
-        file: the robot description, an absolute path.
-        packages: folder of each package, by name.
-        package_dirs: folders that contain packages.
+    `file` is the robot description, an absolute path; `packages` has folders by name, `package_dirs` folders of packages.
     """
 
     file: Path

@@ -11,7 +11,6 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.robots import attached, description, mjcf, model_tree, subchain
-from manipplan.robots import subchain as parts
 from manipplan.robots.arms import (
     arm_of,
     carriers,
@@ -162,7 +161,8 @@ class Robot(Pictured):
             trust_file=trust_file,
         )
         read = description.read_urdf(existing_file("file", file), files)
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits, files)
+        given = dict[str, Any](tool=tool, joints=joints, srdf=srdf, name=name, locked=locked, neutral=neutral)
+        return cls._cut(read, {**given, **limits, **vars(files)}, limits)
 
     @classmethod
     def from_mjcf(
@@ -182,40 +182,28 @@ class Robot(Pictured):
         MJCF states no velocity limits: they are infinite unless `velocity` is given.
         """
         read = mjcf.read_mjcf(existing_file("file", file))
-        return cls._cut(read, tool, joints, srdf, name, locked, neutral, limits)
+        given = dict[str, Any](tool=tool, joints=joints, srdf=srdf, name=name, locked=locked, neutral=neutral)
+        return cls._cut(read, {**given, **limits}, limits)
 
     @classmethod
-    def _cut(
-        cls,
-        read: description.Description,
-        tool: str | Sequence[str] | None,
-        joints: Sequence[str] | None,
-        srdf: str | Path | None,
-        name: str | None,
-        locked: Mapping[str, float] | str | None,
-        neutral: ArrayLike | None,
-        limits: Mapping[str, ArrayLike],
-        files: UrdfFiles | None = None,
-    ) -> "Robot":
-        given: dict[str, Any] = {"tool": tool, "joints": joints, "srdf": srdf, "name": name, "locked": locked}
-        given |= {"neutral": neutral, **limits}
-        if files is not None:
-            given |= vars(files)
+    def _cut(cls, read: description.Description, given: Mapping[str, Any], limits: Mapping[str, ArrayLike]) -> "Robot":
+        """The arm of a description, by all options that were `given`, `limits` among them."""
+        name, locked, neutral = given["name"], given["locked"], given["neutral"]
         if name is not None:
             text("name", name)
-        semantic = read_srdf(existing_file("srdf", srdf), read.model) if srdf is not None else None
+        semantic = read_srdf(existing_file("srdf", given["srdf"]), read.model) if given["srdf"] is not None else None
         whole = read.model
-        tools = parts.choose_tools(read, tool, semantic)
+        tools = subchain.choose_tools(read, given["tool"], semantic)
         chain = [whole.names[i] for i in sorted({i for each in tools for i in supports(whole, each)})]
         if isinstance(locked, str):
             locked = state_of_others(semantic, locked, chain)
         locked = {} if locked is None else locked
-        active = parts.choose_joints(whole, tools, chain, joints, read.mimics, locked)
-        held = parts.locked_values(whole, active, locked, semantic, read.mimics)
+        active = subchain.choose_joints(whole, tools, chain, given["joints"], read.mimics, locked)
+        held = subchain.locked_values(whole, active, locked, semantic, read.mimics)
         model, geometry = subchain.reduce(whole, read.geometry, active, held, read.mimics)
         check_tools(model, tools)
-        base = parts.limits_of(model, read.source, limits)
-        base = parts.limits_of_leaders(base, whole, subchain.followers_of(model), active, limits)
+        base = subchain.limits_of(model, read.source, limits)
+        base = subchain.limits_of_leaders(base, whole, subchain.followers_of(model), active, limits)
         if "acceleration" not in limits:
             with np.errstate(over="ignore"):  # inf: no limit
                 ramp = {"acceleration": base.velocity / DEFAULT_RAMP_TIME}
@@ -238,7 +226,7 @@ class Robot(Pictured):
             tool=tools[0],
             other_tools=tools[1:],
             limits=base,
-            neutral=parts.usual_posture(base, neutral),
+            neutral=subchain.usual_posture(base, neutral),
             locked=held,
             disabled_pairs=find_disabled_within_arms(model, tools, semantic.disabled) if semantic is not None else None,
             unchecked=read.unchecked,
@@ -286,9 +274,10 @@ class Robot(Pictured):
         return subchain.followers_of(self.model)
 
     @property
+    @once_per_source
     def tree(self) -> model_tree.JointTree:
         """All joints of `model`, followers included, as arrays."""
-        return _tree(self)
+        return model_tree.joint_tree(self.model)
 
     @property
     def joint_types(self) -> tuple[str, ...]:
@@ -537,12 +526,7 @@ class Robot(Pictured):
         return robot_table(self)
 
 
-@once_per_source
-def _tree(robot: Robot) -> model_tree.JointTree:
-    return model_tree.joint_tree(robot.model)
-
-
-#: Number of locked joints that are named.
+#: Number of locked joints, and of followers, that are named.
 NAMED = 6
 
 
@@ -561,14 +545,13 @@ def robot_table(robot: "Robot") -> str:
         cells = [c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(row, widths, strict=True))]
         lines.append("  ".join(cells).rstrip())
     lines += [f"{kind} limits: {source}" for kind, source in limits.sources.items()]
-    if robot.followers:
-        shown = [f"{joint} = {mimic}" for joint, mimic in list(robot.followers.items())[:NAMED]]
-        more = f", ... ({len(robot.followers)} in all)" if len(robot.followers) > NAMED else ""
-        lines.append(f"followers: {', '.join(shown)}{more}")
-    if robot.carried:
-        lines.append(f"carried: {', '.join(robot.carried)}")
-    if robot.locked:
-        shown = [f"{joint} = {value:g}" for joint, value in list(robot.locked.items())[:NAMED]]
-        more = f", ... ({len(robot.locked)} in all)" if len(robot.locked) > NAMED else ""
-        lines.append(f"locked: {', '.join(shown)}{more}")
+    lines += _first_of("followers", [f"{joint} = {mimic}" for joint, mimic in robot.followers.items()])
+    lines += [f"carried: {', '.join(robot.carried)}"] if robot.carried else []
+    lines += _first_of("locked", [f"{joint} = {value:g}" for joint, value in robot.locked.items()])
     return "\n".join(lines)
+
+
+def _first_of(what: str, texts: list[str]) -> list[str]:
+    """A line with the first of some texts and their number; none without a text."""
+    more = f", ... ({len(texts)} in all)" if len(texts) > NAMED else ""
+    return [f"{what}: {', '.join(texts[:NAMED])}{more}"] if texts else []

@@ -12,7 +12,7 @@ import numpy as np
 import pinocchio as pin
 
 from manipplan.robots.xml_files import numbers, read_xml
-from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, one_of
+from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, one_of, read_only
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 from manipplan.support.files import write_bytes
 
@@ -50,9 +50,7 @@ class NamedStates(dict[str, Array]):
         found = cls()
         for name, values in states:
             if name not in found and all(joint in values for joint in joints):
-                q = np.array([values[joint] for joint in joints])
-                q.flags.writeable = False
-                found[name] = q
+                found[name] = read_only(np.array([values[joint] for joint in joints]))
         return found
 
     def __missing__(self, name: str) -> Array:

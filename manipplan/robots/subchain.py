@@ -20,7 +20,7 @@ from manipplan.robots.ends import default_tool
 from manipplan.robots.limits import LIMIT_TOLERANCE, JointLimits
 from manipplan.robots.model_tree import WORLD, Mimic, follow, joint_about, joint_names, joint_tree, moves_with
 from manipplan.robots.srdf import Semantics
-from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, texts
+from manipplan.support.checks import Array, ArrayLike, configurations, number, one_of, read_only, texts
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnsupportedJointError
 
 log = logging.getLogger("manipplan")
@@ -196,12 +196,9 @@ def usual_posture(limits: JointLimits, given: ArrayLike | None) -> Array:
     lower = np.where(np.isfinite(limits.lower), limits.lower, -np.pi)
     upper = np.where(np.isfinite(limits.upper), limits.upper, np.pi)
     neutral = (lower + upper) / 2 if given is None else configurations("neutral", given, limits.n)
-    if (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
-        neutral = np.clip(neutral, limits.lower, limits.upper)
-    else:
+    if not (limits.outside(neutral) <= LIMIT_TOLERANCE).all():
         raise InvalidInputError("neutral", neutral.tolist(), "a posture inside the position limits")
-    neutral.flags.writeable = False
-    return neutral
+    return read_only(np.clip(neutral, limits.lower, limits.upper))
 
 
 #: Before the number of a frame while joints are locked. No name in an XML file can have it.
@@ -217,13 +214,10 @@ def reduce(
     held: Mapping[str, float],
     mimics: Mapping[str, Mimic] | None = None,
 ) -> tuple[pin.Model, pin.GeometryModel]:
-    """Lock every joint of `held` at its value, and let the others that mimic follow; the geometry follows its link.
+    """Lock every joint of `held` at its value [rad or m], and let the others that mimic follow; the geometry follows its link.
 
-    Args:
-        model, geometry: the arm; it may have followers, which are locked with their leader.
-        active: names of the independent joints, in the order of q.
-        held: values of locked joints [rad or m].
-        mimics: joints of the model that become followers if they are not locked.
+    Followers of the model are locked with their leader, and the joints of `mimics` become followers if they are not locked.
+    `active` names the independent joints, in the order of q.
     """
     model, geometry, followers = uncouple(model, geometry)
     known = set(model.names)

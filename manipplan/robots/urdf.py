@@ -10,7 +10,7 @@ import logging
 import math
 import sys
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
 
@@ -22,7 +22,7 @@ from manipplan.robots.hulls import FARTHEST
 from manipplan.robots.mesh_files import read_mesh, triangle_tree, welded
 from manipplan.robots.model_tree import WORLD
 from manipplan.robots.urdf_files import UrdfFiles
-from manipplan.robots.xml_files import DEEPEST, MOST_BODIES, MOST_JOINTS, numbers
+from manipplan.robots.xml_files import DEEPEST, LARGEST, MOST_BODIES, MOST_JOINTS, numbers
 from manipplan.support.checks import Array
 from manipplan.support.errors import FileFormatError, UnknownNameError
 
@@ -36,7 +36,15 @@ SHAPES = {
     "capsule": {"radius": 1, "length": 1},
     "mesh": {},
 }
-INERTIA = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
+#: Attributes with numbers of other elements, with the number of values of each.
+NUMBERS = {
+    "origin": {"xyz": 3, "rpy": 3},
+    "axis": {"xyz": 3},
+    "limit": dict.fromkeys(("lower", "upper", "effort", "velocity"), 1),
+    "dynamics": {"damping": 1, "friction": 1},
+    "mass": {"value": 1},
+    "inertia": dict.fromkeys(("ixx", "ixy", "ixz", "iyy", "iyz", "izz"), 1),
+}
 #: Kinds of joints; the first three need an axis, and the first two limits.
 TYPES = ("revolute", "prismatic", "continuous", "planar", "fixed", "floating")
 #: The elements that count in an element. Those of `ONCE` occur at most once.
@@ -50,9 +58,7 @@ COUNTED = {
 ONCE = ("inertial", "parent", "child", "origin", "axis", "limit", "mimic", "geometry", "mass", "inertia")
 #: The attributes of elements in which each one counts, and those that other programs add and that change nothing here.
 ATTRIBUTES = {
-    "origin": ("xyz", "rpy"),
-    "axis": ("xyz",),
-    "limit": ("lower", "upper", "effort", "velocity"),
+    **{tag: tuple(NUMBERS[tag]) for tag in ("origin", "axis", "limit")},
     "parent": ("link",),
     "child": ("link",),
     "mimic": ("joint", "multiplier", "offset"),
@@ -116,36 +122,27 @@ def check_urdf(file: Path, root: ET.Element) -> None:
     _check_names(file, "joint", joints)
     if any(joint.get("name") == WORLD for joint in joints):
         raise FileFormatError("file", str(file), f"joints with other names than {WORLD!r}, Pinocchio's name for the world")
-    degrees: list[str] = []
-    one_sided, fast = list[str](), list[str]()
-    for joint in joints:
-        where = f"joint {joint.get('name')}"
-        strange |= _check_elements(file, joint, where)
-        _raise(file, where, _origin_fault(joint) or _joint_fault(joint))
-        degrees += _degrees(where, joint)
-        one_sided += _one_sided(where, joint)
-        fast += _fast(where, joint)
+    degrees, one_sided, fast = list[str](), list[str](), list[str]()
+    places = [(joint, f"joint {joint.get('name')}") for joint in joints]
     for link in links:
         name = link.get("name")
-        strange |= _check_elements(file, link, f"link {name}")
-        for k, element in enumerate(link.findall("collision"), start=1):
-            where = f"collision element {k} of link {name}"
-            strange |= _check_elements(file, element, where)
-            _raise(file, where, body_fault(element))
-            degrees += _degrees(where, element)
-        for element in link.findall("inertial"):
-            where = f"the inertial element of link {name}"
-            strange |= _check_elements(file, element, where)
-            _raise(file, where, _inertial_fault(element))
-    if strange:
-        log.warning("%s: elements that URDF does not have are passed over: %s", file, ", ".join(sorted(strange)[:12]))
-    if degrees:
-        log.warning("%s: angles in a URDF are in radians; these look like degrees: %s", file, "; ".join(degrees[:12]))
-    if fast:
-        what = f"speeds above {MOST_SPEED:g} rad/s are in degrees per second, or stand for no limit"
-        log.warning("%s: %s: %s", file, what, "; ".join(fast[:12]))
-    if one_sided:
-        log.warning("%s: a URDF's limit that is not given is 0, here of %s", file, "; ".join(one_sided[:12]))
+        places += [(link, f"link {name}")]
+        places += [(each, f"collision element {k} of link {name}") for k, each in enumerate(link.findall("collision"), start=1)]
+        places += [(each, f"the inertial element of link {name}") for each in link.findall("inertial")]
+    for element, where in places:
+        strange |= _check_elements(file, element, where)
+        _raise(file, where, _origin_fault(element) or FAULTS[element.tag](element))
+        degrees += _degrees(where, element) if element.tag != "inertial" else []
+        one_sided += _one_sided(where, element)
+        fast += _fast(where, element)
+    for what, found in (
+        ("elements that URDF does not have are passed over:", ", ".join(sorted(strange)[:12])),
+        ("angles in a URDF are in radians; these look like degrees:", "; ".join(degrees[:12])),
+        (f"speeds above {MOST_SPEED:g} rad/s are in degrees per second, or stand for no limit:", "; ".join(fast[:12])),
+        ("a URDF's limit that is not given is 0, here of", "; ".join(one_sided[:12])),
+    ):
+        if found:
+            log.warning("%s: %s %s", file, what, found)
     _check_tree(file, {str(link.get("name")) for link in links}, joints)
 
 
@@ -329,36 +326,34 @@ def _joint_fault(joint: ET.Element) -> str | None:
             return f"<axis> needs xyz with 3 numbers, not all zero, not {axis.get('xyz')!r}"
     if limit is None:
         return f"a {kind} joint needs a <limit> with lower, upper, velocity and effort" if kind in TYPES[:2] else None
-    if kind in TYPES[:3]:
-        for attribute in ATTRIBUTES["limit"]:
-            text = limit.get(attribute, None if attribute in ("effort", "velocity") else "0")
-            if numbers(text, 1, largest=LARGEST_LIMIT) is None:
-                return f"<limit> needs {attribute} with a number, not {text!r}"
-    return None
+    return _number_fault(limit, {"lower": "0", "upper": "0"}, LARGEST_LIMIT) if kind in TYPES[:3] else None
 
 
 def _inertial_fault(inertial: ET.Element) -> str | None:
-    fault = _origin_fault(inertial)
-    if fault is not None:
-        return fault
-    mass, inertia = inertial.find("mass"), inertial.find("inertia")
-    if mass is None or numbers(mass.get("value"), 1) is None:
-        return f"<mass> needs a value with a number, not {None if mass is None else mass.get('value')!r}"
-    if inertia is None:
-        return "it needs an <inertia>"
-    for attribute in INERTIA:
-        if numbers(inertia.get(attribute), 1) is None:
-            return f"<inertia> needs {attribute} with a number, not {inertia.get(attribute)!r}"
+    for tag in ("mass", "inertia"):
+        element = inertial.find(tag)
+        fault = f"it needs one <{tag}>" if element is None else _number_fault(element)
+        if fault is not None:
+            return fault
     return None
 
 
 def _origin_fault(element: ET.Element) -> str | None:
-    for origin in element.findall("origin"):
-        for attribute in ("xyz", "rpy"):
-            if numbers(origin.get(attribute, "0 0 0"), 3) is None:
-                return f"<origin> needs {attribute} with 3 numbers, not {origin.get(attribute)!r}"
+    faults = (_number_fault(origin, {"xyz": "0 0 0", "rpy": "0 0 0"}) for origin in element.findall("origin"))
+    return next(filter(None, faults), None)
+
+
+def _number_fault(element: ET.Element, defaults: Mapping[str, str] | None = None, largest: float = LARGEST) -> str | None:
+    """The first attribute of `NUMBERS` whose numbers cannot be read; one without a default is needed."""
+    for attribute, count in NUMBERS[element.tag].items():
+        text = element.get(attribute, (defaults or {}).get(attribute))
+        if numbers(text, count, largest=largest) is None:
+            return f"<{element.tag}> needs {attribute} with {f'{count} numbers' if count > 1 else 'a number'}, not {text!r}"
     return None
 
+
+#: What finds the fault in an element beside those of its origin.
+FAULTS = {"joint": _joint_fault, "link": lambda _: None, "collision": body_fault, "inertial": _inertial_fault}
 
 T = TypeVar("T")
 
@@ -376,20 +371,17 @@ def build_model(file: Path, root: ET.Element) -> pin.Model:
         copy = ET.SubElement(plain, "link", name=str(link.get("name")))
         for inertial in link.findall("inertial"):
             inner = ET.SubElement(copy, "inertial")
-            _add(inner, inertial, "origin", {"xyz": 3, "rpy": 3})
-            _add(inner, inertial, "mass", {"value": 1})
-            _add(inner, inertial, "inertia", dict.fromkeys(INERTIA, 1))
+            _add(inner, inertial, "origin", "mass", "inertia")
     for joint in root.findall("joint"):
         copy = ET.SubElement(plain, "joint", name=str(joint.get("name")), type=str(joint.get("type")))
         parent, child = ends_of(joint)
         ET.SubElement(copy, "parent", link=parent)
         ET.SubElement(copy, "child", link=child)
-        _add(copy, joint, "origin", {"xyz": 3, "rpy": 3})
+        _add(copy, joint, "origin")
         if joint.get("type") in TYPES[:4]:
-            _add(copy, joint, "axis", {"xyz": 3})
+            _add(copy, joint, "axis")
         if joint.get("type") in TYPES[:3]:
-            _add(copy, joint, "limit", dict.fromkeys(ATTRIBUTES["limit"], 1))
-            _add(copy, joint, "dynamics", {"damping": 1, "friction": 1})
+            _add(copy, joint, "limit", "dynamics")
     for kind, meaning in (("effort", "no limit"), ("velocity", "0")):
         found = [(str(joint.get("name")), limit) for joint in plain.findall("joint") for limit in joint.findall("limit")]
         below = [(name, limit) for name, limit in found if float(limit.get(kind, "0")) < 0]
@@ -402,14 +394,13 @@ def build_model(file: Path, root: ET.Element) -> pin.Model:
     return pinocchio_says(file, "a URDF", lambda: pin.buildModelFromXML(text))
 
 
-def _add(copy: ET.Element, original: ET.Element, tag: str, sizes: dict[str, int]) -> None:
-    """Add the numbers of an element that `original` has, in full precision; those that are not numbers are left out."""
-    element = original.find(tag)
-    if element is not None:
-        values = {name: numbers(element.get(name), size, largest=LARGEST_LIMIT) for name, size in sizes.items()}
+def _add(copy: ET.Element, original: ET.Element, *tags: str) -> None:
+    """Add the numbers of elements that `original` has, in full precision; those that are not numbers are left out."""
+    for element in (each for each in map(original.find, tags) if each is not None):
+        values = {name: numbers(element.get(name), size, largest=LARGEST_LIMIT) for name, size in NUMBERS[element.tag].items()}
         texts = {name: " ".join(map(repr, value)) for name, value in values.items() if value is not None}
         if texts:
-            ET.SubElement(copy, tag, texts)
+            ET.SubElement(copy, element.tag, texts)
 
 
 def build_bodies(

@@ -5,8 +5,7 @@ Expands xacro files to URDF, in a process of its own: with a time limit, and wit
 
 import importlib.util
 import logging
-import signal
-import subprocess
+import posixpath
 import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
@@ -26,18 +25,10 @@ log = logging.getLogger("manipplan")
 PROCESSOR, TIME_LIMIT = 4, 60.0
 
 
-def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool) -> str:
-    """The URDF that `folders.file` expands to.
+def expand(folders: PackageFolders, arguments: Mapping[str, object], *, trust: bool) -> str:
+    """The URDF that `folders.file` expands to, with values of its `xacro:arg` elements by name; `trust`: see `trust_file`.
 
-    Args:
-        folders: the file, and where its packages are.
-        arguments: values of its `xacro:arg` elements, by name.
-        trust: whether the file may run Python code and read any file and environment variable.
-
-    Raises:
-        MissingExtraError: the package xacro is not installed.
-        FileFormatError: the file cannot be expanded; the message gives xacro's reason, and the files and macros concerned.
-        UnknownNameError: no file has an argument of that name; the nearest names are listed.
+    Raises FileFormatError with xacro's reason, and the files and macros concerned; and as `Robot.from_urdf`.
     """
     if importlib.util.find_spec("xacro") is None:
         raise MissingExtraError("xacro", "xacro")
@@ -52,21 +43,15 @@ def expand(folders: PackageFolders, arguments: Mapping[str, str], *, trust: bool
     }
     with tempfile.TemporaryDirectory() as folder:
         try:
-            answer, run = commands.ask_module("manipplan.robots.xacro_child", folder, request, limit=TIME_LIMIT)
-        except subprocess.TimeoutExpired as error:
-            raise _fault(file, f"it takes more than {TIME_LIMIT:g} s") from error
-        except OSError as error:
-            raise _fault(file, f"xacro cannot be started ({error.strerror})") from error
-    if answer is None and run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        raise _fault(file, f"it takes more than {PROCESSOR} s of the processor")
-    if answer is None:
-        last = (run.stderr.strip().splitlines() or ["no message"])[-1]
-        raise _fault(file, f"xacro ended with code {run.returncode}: {last}")
+            child = "manipplan.robots.xacro_child"
+            answer, said = commands.ask_module(child, folder, request, limit=TIME_LIMIT, program="xacro")
+        except commands.NoAnswerError as error:
+            raise _fault(file, str(error)) from error
     if "error" in answer:
         where = " > ".join(answer["where"][1:])
         raise _fault(file, answer["error"] + (f"; in {where}" if where else ""))
-    if run.stderr.strip():
-        log.warning("%s: xacro says: %s", file, " ".join(run.stderr[:2000].split()))
+    if said.strip():
+        log.warning("%s: xacro says: %s", file, " ".join(said[:2000].split()))
     for name in arguments:
         if name not in answer["arguments"]:
             raise UnknownNameError("arguments", name, answer["arguments"], empty="none: the file has no arguments")
@@ -83,15 +68,9 @@ BODIES = ("collision", "visual")
 
 @dataclass(frozen=True, kw_only=True)
 class UrdfFiles:
-    """How a URDF or xacro file is read, and where its meshes are.
+    """How a URDF or xacro file is read, and where its meshes are: the arguments of `Robot.from_urdf` of these names.
 
-    Attributes:
-        package_dirs: folders in which packages are searched.
-        packages: folder of each package, by name.
-        meshes: whether collision meshes are read; without them only the primitives of the description are checked.
-        collision: "collision" or "visual": which elements of the links are the bodies that are checked.
-        arguments: values of a xacro file's arguments, by name; numbers and booleans become text as in ROS.
-        trust_file: whether a xacro file may run Python code, and read any file and environment variable.
+    Numbers and booleans in `arguments` become text, as in ROS.
 
     Raises InvalidInputError when an attribute has another type, or a folder of `packages` does not exist.
     """
@@ -124,10 +103,7 @@ class UrdfFiles:
     def root(self, file: Path) -> ET.Element:
         """The root of a URDF; a xacro file, and a URDF with expressions or elements of xacro, is expanded first.
 
-        Raises:
-            FileFormatError: the file is not XML, or cannot be expanded.
-            InvalidInputError: arguments are given for a file that has none by its kind.
-            MissingExtraError: the file has to be expanded, and the package xacro is not installed.
+        Raises as `expand`, and InvalidInputError where arguments are given for a file that has none by its kind.
         """
         if file.suffix != ".xacro":
             root = read_xml("file", file, "robot")
@@ -136,7 +112,7 @@ class UrdfFiles:
                     wanted = "none: only a xacro file has arguments"
                     raise InvalidInputError("arguments", self.arguments, wanted)
                 return root
-        text = expand(self._package_folders(file), self._texts(), trust=self.trust_file)
+        text = expand(self._package_folders(file), self.arguments, trust=self.trust_file)
         return read_xml("file", file, "robot", text)
 
     def without_meshes(self, file: Path, root: ET.Element, kind: str) -> None:
@@ -160,7 +136,7 @@ class UrdfFiles:
         if mark and scheme in ("package", "model"):
             rest = rest.lstrip("/")
             package, _, inner = rest.partition("/")
-            if package in (".", "..") or _leaves(inner):
+            if package in (".", "..") or posixpath.normpath(inner.lstrip("/")).split("/")[0] == "..":
                 wanted = f"names of meshes that stay inside their package, unlike {name}"
                 raise FileFormatError("file", str(file), wanted)
             found = self._package_folders(file).find(package)
@@ -185,9 +161,6 @@ class UrdfFiles:
             package_dirs=[Path(folder).expanduser().resolve() for folder in self.package_dirs],
         )
 
-    def _texts(self) -> dict[str, str]:
-        return {name: str(value) for name, value in self.arguments.items()}
-
 
 def _is_xacro(file: Path, root: ET.Element) -> bool:
     """Whether a URDF has something that xacro expands: an element of it, or an expression where xacro is declared.
@@ -202,16 +175,6 @@ def _is_xacro(file: Path, root: ET.Element) -> bool:
             log.warning("%s: %d elements <xacro:...> are passed over: the file has no xmlns:xacro", file, len(elements))
         return False
     return bool(elements) or any("${" in text or "$(" in text for each in root.iter() for text in each.attrib.values())
-
-
-def _leaves(inner: str) -> bool:
-    """Whether a path inside a package leads out of it."""
-    depth = 0
-    for part in inner.split("/"):
-        depth += {"..": -1, ".": 0, "": 0}.get(part, 1)
-        if depth < 0:
-            return True
-    return False
 
 
 def _text(argument: str, value: object) -> str:

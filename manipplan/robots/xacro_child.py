@@ -66,16 +66,10 @@ METHODS: Mapping[type, frozenset[str]] = {
 
 
 def evaluate(text: str, names: Mapping[str, Any]) -> Any:
-    """The value of an expression.
+    """The value of a Python expression. It may call every function in `names`, or in a mapping of it.
 
-    Args:
-        text: a Python expression.
-        names: values and functions by name. Expressions may call every function that is in it, or in a mapping of it.
-
-    Raises:
-        RefusedError: it contains something that is not evaluated here, such as `lambda`, or an attribute that is no method of
-            `METHODS` and no key of a mapping.
-        Exception: what the operation itself raises: SyntaxError, NameError, TypeError, ZeroDivisionError, ...
+    Raises RefusedError where it contains something that is not evaluated here, such as `lambda`, or an attribute that is no
+    method of `METHODS` and no key of a mapping; and whatever the operation itself raises.
     """
     return _value(ast.parse(text.strip(), mode="eval").body, names)
 

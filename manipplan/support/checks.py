@@ -44,6 +44,12 @@ MOST_THREADS = 1024
 SMALLEST = 1e-100
 
 
+def read_only(array: Array) -> Array:
+    """The array itself, which nobody can write to from now on."""
+    array.flags.writeable = False
+    return array
+
+
 def finite_array(argument: str, value: ArrayLike, shape: tuple[int | None, ...], *, most: float = LARGEST) -> Array:
     """`value` as a read-only float array of `shape` (None: any length), every entry finite and within ±`most`."""
     array = number_array(argument, value)
@@ -70,9 +76,7 @@ def positive_array(argument: str, value: ArrayLike, n: int) -> Array:
     if not (array >= SMALLEST).all():
         tiny = f", at least {SMALLEST:g}" if (array > 0).all() else ""
         raise InvalidInputError(argument, value, f"numbers above zero{tiny} (inf where there is no limit)")
-    array = np.broadcast_to(array, (n,)).copy()
-    array.flags.writeable = False
-    return array
+    return read_only(np.broadcast_to(array, (n,)).copy())
 
 
 def pose_matrix(argument: str, value: Any) -> Array:
@@ -89,8 +93,7 @@ def pose_matrix(argument: str, value: Any) -> Array:
         return matrix
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = rotation, matrix[:3, 3]
-    pose.flags.writeable = False
-    return pose
+    return read_only(pose)
 
 
 def rotation_matrix(argument: str, value: ArrayLike, wanted: str = "a rotation matrix (3, 3)") -> Array:
@@ -99,8 +102,7 @@ def rotation_matrix(argument: str, value: ArrayLike, wanted: str = "a rotation m
     rotation, off = nearest_rotation(matrix)
     if off > POSE:
         raise InvalidInputError(argument, matrix.tolist(), f"{wanted}; {_no_rotation(matrix, off)}")
-    rotation.flags.writeable = False
-    return rotation
+    return read_only(rotation)
 
 
 def unit_quaternion(argument: str, value: ArrayLike, order: str) -> Array:
@@ -314,5 +316,4 @@ def _within(argument: str, value: ArrayLike, array: Array, most: float) -> Array
 def _all_finite(argument: str, value: ArrayLike, array: Array) -> Array:
     if not np.isfinite(array).all():
         raise InvalidInputError(argument, value, "finite numbers, no NaN or inf")
-    array.flags.writeable = False
-    return array
+    return read_only(array)

@@ -55,20 +55,37 @@ def run_module(module: str, folder: str | Path, *, limit: float) -> subprocess.C
     return run([sys.executable, "-I", "-S", "-X", "utf8", "-c", _START, package, module, str(folder)], limit=limit)
 
 
+class NoAnswerError(Exception):
+    """A module gave no answer; the text says why."""
+
+
 def ask_module(
-    module: str, folder: str | Path, request: Mapping[str, Any], *, limit: float
-) -> tuple[dict[str, Any] | None, subprocess.CompletedProcess[str]]:
+    module: str, folder: str | Path, request: Mapping[str, Any], *, limit: float, program: str
+) -> tuple[dict[str, Any], str]:
     """Run a module as `run_module` does, with a request that its `main` gets by `request_in`, both in an empty `folder`.
 
-    Returns the answer that it gives by `write_answer`, None where there is none, and how the process ended.
+    Returns the answer that it gives by `write_answer`, and what it wrote on standard error. Raises NoAnswerError, which calls
+    the process `program`.
     """
     path = [each if each else str(Path.cwd()) for each in sys.path]
     Path(folder, _REQUEST).write_text(json.dumps({**request, "path": path}), encoding="utf-8")
-    run = run_module(module, folder, limit=limit)
     try:
-        return json.loads(Path(folder, _ANSWER).read_text(encoding="utf-8")), run
-    except (OSError, ValueError):
-        return None, run
+        run = run_module(module, folder, limit=limit)
+    except subprocess.TimeoutExpired as error:
+        raise NoAnswerError(f"it takes more than {limit:g} s") from error
+    except OSError as error:
+        raise NoAnswerError(f"{program} cannot be started ({error.strerror})") from error
+    try:
+        return json.loads(Path(folder, _ANSWER).read_text(encoding="utf-8")), run.stderr
+    except (OSError, ValueError) as error:
+        last = (run.stderr.strip().splitlines() or ["no message"])[-1]
+        reason = f"{program} ended with code {run.returncode}: {last}"
+        if run.returncode < 0:
+            reason = f"{program} ended by {signal.Signals(-run.returncode).name}"
+        if "processor" in request and run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+            seconds = f"{request['processor']} s of the processor"
+            reason = f"it takes {program} more than {seconds}, as a file that repeats itself without end does"
+        raise NoAnswerError(reason) from error
 
 
 def request_in(folder: str) -> dict[str, Any]:

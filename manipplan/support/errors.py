@@ -7,7 +7,8 @@ solution raises `PlanningError`, which holds the result and its status; ``throw=
 import difflib
 import re
 import reprlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -42,6 +43,15 @@ class InvalidInputError(ManipplanError, ValueError):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.argument, self.value, self.allowed)
+
+
+@contextmanager
+def inside(argument: str) -> Iterator[None]:
+    """Errors of the block name their argument as a part of `argument`."""
+    try:
+        yield
+    except InvalidInputError as error:
+        raise InvalidInputError(f"{argument}.{error.argument}", error.value, error.allowed) from error
 
 
 class UnknownNameError(InvalidInputError):
@@ -82,6 +92,18 @@ class OutOfReachError(InvalidInputError):
 
 class FileFormatError(InvalidInputError):
     """A file that cannot be read as what it should be."""
+
+
+@contextmanager
+def reading(argument: str, file: object, wanted: str) -> Iterator[None]:
+    """What goes wrong in a block that takes the data of a file apart becomes a FileFormatError with the reason."""
+    try:
+        yield
+    except FileFormatError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, OSError, RecursionError, TypeError, ValueError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise FileFormatError(argument, str(file), f"{wanted} ({reason})") from error
 
 
 class UnsupportedJointError(InvalidInputError):

@@ -70,8 +70,8 @@ def mjcf(tmp_path):
             "element 2 of link arm: <sphere> needs radius with a number .* not '1_0'",
         ),
         (SPHERE + collision('<sphere radius="١"/>'), "<sphere> needs radius"),
-        ('<inertial><mass value="a"/></inertial>', "inertial element of link arm: <mass> needs a value"),
-        ('<inertial><mass value="1"/></inertial>', "it needs an <inertia>"),
+        ('<inertial><mass value="a"/></inertial>', "inertial element of link arm: <mass> needs value with a number, not 'a'"),
+        ('<inertial><mass value="1"/></inertial>', "it needs one <inertia>"),
         ('<inertial><mass value="1"/><inertia ixx="1"/></inertial>', "<inertia> needs ixy"),
     ],
 )
