@@ -359,8 +359,6 @@ SUFFICIENT = 1e-2
 #: What stands beyond the last grid point.
 BEYOND = {"h": 1.0, "d": 0.0, "w": 0.5, "fastest": np.inf, "most_c": np.inf}
 
-#: The compiled steps.
-
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
     """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
