@@ -134,21 +134,7 @@ def from_csv(
     columns: Mapping[str, str] | None = None,
     degrees: bool | Sequence[str] = False,
 ) -> Trajectory:
-    """Read `to_csv`'s file, or a recorded demonstration. Columns are found by name, in any order; others are ignored.
-
-    Args:
-        file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints or
-            none. Without velocities they come from the cubic spline through the positions. Times count from that of the first
-            row. Every row has as many cells as the first.
-        joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those of
-            `columns`, or all `q_<joint>` columns, in their order.
-        columns: the column of the file for each joint, and for "time", where it has another name:
-            ``{"time": "timestamp", "shoulder_pan_joint": "J1"}``.
-        degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
-
-    Raises FileFormatError for a missing column, a row of another length, a cell that is not a finite number, or a time that is
-    not after the one before; the last three name the row.
-    """
+    """Read `to_csv`'s file, or a recorded demonstration; see `Trajectory.from_csv`."""
     path = existing_file("file", file)
     wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and others may follow, in any order)"
     if columns is not None and not isinstance(columns, Mapping):
@@ -236,18 +222,9 @@ def to_ros(trajectory: Trajectory, file: str | Path) -> None:
     """
     import yaml
 
-    points = []
-    columns = (nanoseconds_of(trajectory), trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))
-    for nanoseconds, q, qd, qdd in zip(*columns, strict=True):
-        points.append(
-            {
-                "positions": q.tolist(),
-                "velocities": qd.tolist(),
-                "accelerations": qdd.tolist(),
-                "effort": [],
-                "time_from_start": ros_time(nanoseconds),
-            }
-        )
+    times = [ros_time(nanoseconds) for nanoseconds in nanoseconds_of(trajectory)]
+    columns = [each.tolist() for each in (trajectory.q, trajectory.qd, trajectory(trajectory.t, 2))]
+    points = [dict(zip(POINT_KEYS, (*row, [], time), strict=True)) for *row, time in zip(*columns, times, strict=True)]
     header = {"stamp": ros_time(0), "frame_id": ""}
     message = {"header": header, "joint_names": list(trajectory.joint_names), "points": points}
     dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)

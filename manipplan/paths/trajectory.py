@@ -272,7 +272,8 @@ class Trajectory(Pictured):
 
         Args:
             file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
-                or none. Without velocities they come from the cubic spline through the positions.
+                or none. Without velocities they come from the cubic spline through the positions. Times count from that of the
+                first row.
             joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those
                 of `columns`, or all `q_<joint>` columns, in their order.
             columns: the column of the file for each joint, and for "time", where it has another name:
@@ -280,7 +281,7 @@ class Trajectory(Pictured):
             degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
         Raises FileFormatError, which names the column or the row that is wrong: one that has more or fewer cells than the
-        first, or a cell that is not a finite number.
+        first, a cell that is not a finite number, or a time that is not after the one before.
         """
         from manipplan.paths import export
 
