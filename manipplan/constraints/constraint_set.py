@@ -1,8 +1,4 @@
-"""ConstraintSet: the constraints of one motion, evaluated for a robot, and whether the ends of the motion keep them.
-
-ToolFrame: the tool's pose and Jacobian in one call, and bounds on how fast both change.
-
-The proof that a path keeps constraints everywhere, and ConstraintFigure: how it keeps each of them.
+"""ConstraintSet: the constraints of one motion, evaluated for a robot, and the proof that a path keeps them everywhere.
 
 Rows of the tool's pose are proven. Between two parameters of a path, d apart, a row is at least the smaller value of both minus
 M d² / 8, where M bounds its second derivative along the path: joint speeds and accelerations are bounded by control points, and
@@ -46,7 +42,7 @@ POSE = 12
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ToolFrame:
-    """The tool of an arm.
+    """The tool of an arm: its pose and Jacobian in one call, and bounds on how fast both change.
 
     Attributes:
         function: POSE + 6 n numbers of q (n,): position, columns of the rotation, then linear and angular part of the Jacobian

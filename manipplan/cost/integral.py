@@ -237,13 +237,11 @@ class PathIntegral:
     def _refined(
         self, path: JointPath, edges: Array, accuracy: float, halvings: int, *, most: float = np.inf, widens: bool = False
     ) -> tuple[float, Array]:
-        """g of a path, and the edges (k + 1,) of panels, halved until that changes each by at most a share of g.
+        """g of a path, and the edges (k + 1,) of panels, halved until that changes each by at most the share `accuracy` of g.
 
         Args:
-            path: the path.
-            edges: of the first panels.
-            accuracy: that share.
-            halvings: maximum number of halvings of a panel.
+            path, edges: the path, and the first panels.
+            accuracy, halvings: that share, and the maximum number of halvings of a panel.
             most: number of panels above which none is halved; without `widens` of those that still change, which makes g
                 infinite.
             widens: both neighbours of a panel are halved as well, since a dip of m moves with the path; so every panel counts

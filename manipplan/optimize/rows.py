@@ -294,14 +294,9 @@ class DistanceRows(NonlinearRows):
         return np.asarray((vectors * values[:, None]) @ vectors.transpose(0, 2, 1))
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
-        """Gradients of the distances of some rows, on the path and with each joint moved by a step.
+        """Gradients of the distances of some rows (r,), on the path and with each joint moved by a step to either side.
 
-        Args:
-            rows: indices of the rows (r,).
-            step: joint step to either side [rad or m].
-
-        Returns:
-            The gradients (k, f n) with k = r (2 n + 1), and for each the index of its row (k,).
+        They are (k, f n) with k = r (2 n + 1); also the row (k,) of each.
         """
         n = self.q.shape[1]
         moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])

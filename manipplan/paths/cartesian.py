@@ -139,10 +139,7 @@ def neighbourhood(sizes: Array) -> Array:
 def _shifts(widths: Array, chords: Array, *, turns: bool) -> Array:
     """First derivatives at both ends of each piece and second ones, over u, of the shift δ: (p, 4, 3).
 
-    Args:
-        widths: (p, 1) of the pieces in s.
-        chords: (p, 3), moves or rotation vectors of the pieces.
-        turns: whether these are rotations.
+    For widths (p, 1) of the pieces in s, and their moves or, with `turns`, their rotation vectors (p, 3).
     """
     speeds = chords / widths
     velocity = _velocities(widths, chords, speeds)

@@ -155,14 +155,8 @@ def _beyond_region(
 
     Of each pose the place counts that it exceeds by the smallest sum of shares of the tolerance, and where that is outside, by
     the smallest factor. Every ANCHORS-th is compared with all pieces, those between with the pieces between its two, and where
-    that leaves more than half of the tolerance with all.
-
-    Args:
-        line: the path; with `is_reached` the tool's way, and the regions are those about the poses.
-        poses: of the tool; with `is_reached` those of the path.
-        free: the region.
-        tolerance: what is compared with what is exceeded; None: the default.
-        widen: whether the neighbourhoods of the pieces count as they do for `beyond_polygon`.
+    that leaves more than half of the tolerance with all. With `is_reached` the line is the tool's way, and the regions are
+    those about the poses. With `widen` the neighbourhoods of the pieces count as they do for `beyond_polygon`.
     """
     pieces = _RegionPieces(line, free, with_defaults(tolerance), widen=widen, is_reached=is_reached)
     count, every = len(poses), np.arange(len(line) - 1)

@@ -29,13 +29,7 @@ NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?|[+-]
 
 @dataclass(frozen=True, kw_only=True)
 class Table:
-    """The cells of a file.
-
-    Attributes:
-        path: of the file.
-        header: names of the columns.
-        rows: number of the line in the file, and the cells, of each row.
-    """
+    """The cells of a file: the names of its columns, and of each row the number of its line and the cells."""
 
     path: Path
     header: tuple[str, ...]

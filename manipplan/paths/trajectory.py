@@ -346,8 +346,8 @@ def unwrapped(
     cubic spline through the positions as driven.
 
     Args:
-        robot: the arm, whose joints are the columns of the motion.
-        motion: the samples.
+        robot: its joints are the columns of the motion.
+        motion: as recorded.
         describe: name and value of a position, by its row and joint, for messages.
         fastest: multiple of its largest speed beyond which a joint cannot move; where it has no such limit, the largest speed
             between the other samples counts.

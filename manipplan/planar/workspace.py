@@ -31,12 +31,7 @@ ON_LIMIT = 1e-9
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AngleLimits:
-    """lower <= θ <= upper for each joint; a range of 2π or more is no limit.
-
-    Attributes:
-        lower: (n,) [rad], -inf where there is none.
-        upper: (n,) [rad], inf where there is none.
-    """
+    """lower <= θ <= upper (n,) [rad], -inf and inf where there is none; a range of 2π or more is no limit."""
 
     lower: Array
     upper: Array
@@ -190,12 +185,7 @@ BESIDE = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Annulus:
-    """The ring inner <= ‖p‖ <= outer around the base; a disc when inner is 0.
-
-    Attributes:
-        inner: [m].
-        outer: [m].
-    """
+    """The ring inner <= ‖p‖ <= outer [m] around the base; a disc when inner is 0."""
 
     inner: float
     outer: float
@@ -241,14 +231,7 @@ def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arc:
-    """A circular arc, counter-clockwise from angle `begin` to `end`.
-
-    Attributes:
-        centre: (2,) [m].
-        radius: [m].
-        begin: [rad].
-        end: [rad], from begin to begin + 2π.
-    """
+    """A circular arc about `centre` (2,) [m], counter-clockwise from angle `begin` to `end`, at most begin + 2π [rad]."""
 
     centre: Array
     radius: float

@@ -192,14 +192,9 @@ def torus_zeros(system: Sequence[TrigonometricPolynomial]) -> Zeros:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _System:
-    """f_i with common frequencies, and bounds on their second derivatives and rounding errors.
+    """f_i with common frequencies (m, d) and coefficients (m, d), one column per equation.
 
-    Attributes:
-        frequencies: (m, d) vectors k.
-        cosine: (m, d) coefficients, one column per equation.
-        sine: (m, d) coefficients.
-        bends: (d, d, d) bounds on |∂_j ∂_l f_i|.
-        rounding: bounds on the rounding error, (d,) of a value and (d, d) of a slope.
+    Bounds: `bends` (d, d, d) on |∂_j ∂_l f_i|, and `rounding` on the rounding error, (d,) of a value and (d, d) of a slope.
     """
 
     frequencies: Array
@@ -298,10 +293,7 @@ Polynomial = NDArray[np.object_]
 def real_roots(coefficients: Sequence[Fraction] | Polynomial, lower: Fraction, upper: Fraction) -> list[Fraction]:
     """All real roots in [lower, upper], ascending, each to within 2⁻¹²⁰ and listed once whatever its multiplicity.
 
-    Args:
-        coefficients: from the constant term up; not all zero.
-        lower: start of the interval.
-        upper: end of the interval, at least `lower`.
+    The coefficients, from the constant term up, are not all zero.
     """
     p = _primitive(coefficients)
     if len(p) < 2 or lower > upper:

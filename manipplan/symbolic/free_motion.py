@@ -51,9 +51,7 @@ class FreeMotion:
     def of(cls, task: Task, *, planar: bool = False) -> "FreeMotion":
         """What a task leaves free. Raises InvalidInputError for a task whose rows do not fix a set of poses.
 
-        Args:
-            task: what of the tool's motion counts.
-            planar: whether the arm moves its tool in the x-y plane, turning it about z, only.
+        `planar`: whether the arm moves its tool in the x-y plane, turning it about z, only.
         """
         if task.region is not None:
             return BoundedMotion.about(task.region, planar=planar)
@@ -94,13 +92,9 @@ class FreeMotion:
         return complement(self.shifts)
 
     def line(self, value: int, count: int, centre: Array, radius: float, poses: Array) -> Array:
-        """A grid of one value, (count,): around the circle, evenly over the sphere, or over where the tool can be.
+        """A grid (count,) of the value of an index: around the circle, evenly over the sphere, or over where the tool can be.
 
-        Args:
-            value: its index.
-            count: number of its values.
-            centre, radius: of a ball that holds every place of the tool, (3,) [m].
-            poses: (k, 4, 4), for at least one of which a shift is to be inside the ball.
+        For at least one of poses (k, 4, 4) a shift is inside the ball (3,) [m] that holds every place of the tool.
         """
         if value >= len(self.shifts):
             if self.turns is Turns.ANY and value == len(self.shifts) + 1:
