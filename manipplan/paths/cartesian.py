@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.paths.export import Table
+from manipplan.paths.table import Table
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import (
     COINCIDENT,
