@@ -371,12 +371,9 @@ def prove(constraints: ConstraintSet, path: JointPath) -> ConstraintProof:
 
 
 class _RowSamples:
-    """The rows at places of a path, and the smallest values found.
+    """The rows at places of a path, and the smallest values found, as in ConstraintProof.
 
-    Attributes:
-        least, least_at: as in ConstraintProof.
-        floor: (r,) what rows have to keep; at most ROW_TOLERANCE below 0.
-        broken_at: a place where a row is not kept; None for none.
+    Rows have to keep `floor` (r,), at most ROW_TOLERANCE below 0; `broken_at` is a place where one does not, None for none.
     """
 
     def __init__(self, constraints: ConstraintSet, path: JointPath) -> None:

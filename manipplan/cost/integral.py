@@ -89,12 +89,7 @@ def _calls() -> dict[str, Callable[..., Any]]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Panels:
-    """The integral of one path on panels.
-
-    Attributes:
-        integral: `Integral` of panels.c.
-        owners: what has to live as long as this object.
-    """
+    """The integral of one path on panels: `Integral` of panels.c, and the owners of what it refers to."""
 
     integral: ctypes.Structure
     owners: tuple[object, ...]

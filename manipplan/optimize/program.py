@@ -118,16 +118,9 @@ class PathProgram:
     ) -> tuple[DescentProgram, Array]:
         """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
-        Args:
-            start, goal: (n,) [rad or m].
-            coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
-                where this path needs it.
-            clearance: distances of the true bodies; None: nothing is checked for collision.
-            limited: False: without joint limits.
-            edges: panel edges (k + 1,) that earlier paths needed; they are refined.
-            floor: floor of g; None: that of the objective.
-            moving: the panels follow each path; `edges` are ignored.
-            constraints: what is kept beside limits and clearance; None: nothing.
+        The descent begins at that path. g, with the floor of the objective unless another is given, is integrated on quadrature
+        panels that are narrow where the path needs it: `edges` (k + 1,), which earlier paths needed, are refined. With `moving`
+        the panels follow each path instead. Joint limits do not hold unless `limited`.
         """
         integral = self.integral if floor is None else replace(self.integral, floor=floor)
         curves, z = self._curves(start, goal, coefficients)

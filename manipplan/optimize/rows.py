@@ -58,12 +58,7 @@ class LinearRows:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LimitRows:
-    """The control points (r, n) of the curve between lower and upper limits (n,).
-
-    Attributes:
-        line, directions: (r, n) and (r, f): the points at z are line + directions z.
-        lower, upper: limits (n,).
-    """
+    """The control points line (r, n) + directions (r, f) z of the curve between lower and upper limits (n,)."""
 
     line: Array
     directions: Array
@@ -339,13 +334,7 @@ class DistanceRows(NonlinearRows):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FixedRows:
-    """Clearance rows at fixed places of the curves.
-
-    Attributes:
-        functions: those of clearance rows, by q and the numbers of a row.
-        rows: their places and planes.
-        line, changes: the curve of z = 0 (r, n) and its change with z (r, f), at these places.
-    """
+    """Clearance rows at fixed places of the curves, where the curve of z = 0 is `line` (r, n) and changes with z (r, f)."""
 
     functions: Derivatives
     rows: ClearanceRows
@@ -410,12 +399,9 @@ BOTTOM_STEPS = 5
 
 @dataclass(kw_only=True, eq=False)
 class ConstraintSearch:
-    """Looks for the smallest rows on paths that differ little from each other.
+    """Looks for the smallest rows on paths that differ little from each other; rows keep the values `target` (r,).
 
-    Attributes:
-        constraints: what is kept.
-        target: (r,) values that rows keep.
-        always: places s at which all rows are evaluated as well, such as those where a proof failed.
+    All rows are evaluated at the places s of `always` as well, such as those where a proof failed.
     """
 
     constraints: ConstraintSet
@@ -482,12 +468,9 @@ class ConstraintSearch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ConstraintRows(NonlinearRows):
-    """The rows of constraints beyond their targets.
+    """The rows of constraints beyond their targets, of which they are the rows `indices` (r,).
 
-    Attributes:
-        search: source of the rows.
-        least: the smallest value on the curve of a row beyond its target; at most 0.
-        indices: (r,) the row of the constraints that each of these is.
+    `least` is the smallest value on the curve of a row beyond its target; at most 0.
     """
 
     search: ConstraintSearch

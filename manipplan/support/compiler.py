@@ -188,16 +188,10 @@ def load_library(
 ) -> Loaded:
     """Build the library of `source`, or find it in the cache, and return what `load` returns for it; no time limit counts this.
 
-    Args:
-        source: one file of C or C++.
-        load: takes the library's file; raises OSError, RuntimeError or AttributeError when it is unusable.
-        flags: compiler options, including libraries.
-        language: "c" or "c++".
-        subject: what is built, for messages.
-        announce: show a progress line on stderr during the build.
+    `load` takes the library's file and raises OSError, RuntimeError or AttributeError when it is unusable. The flags include
+    libraries. With `announce` a progress line about the `subject` is shown on stderr during the build.
 
-    Raises:
-        CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
+    Raises CompilerError, with the compiler's message, where there is none, it fails or hangs, or its library cannot be loaded.
     """
     folder = cache_for(subject)
     stored = load_stored(source, load, flags=flags, language=language, subject=subject)

@@ -165,14 +165,7 @@ class JerkProblem:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Profile(ABC):
-    """Samples of a motion along a piece of path.
-
-    Attributes:
-        curve: the piece as a function of its arc length.
-        time: (k,) sample times, from 0 [s].
-        length: (k,) arc length travelled [rad or m].
-        speed: (k,) dl/dt.
-    """
+    """Samples of a motion along a piece of path: times from 0 [s], lengths l travelled [rad or m], and dl/dt, (k,) each."""
 
     curve: ArcLength
     time: Array
