@@ -11,7 +11,7 @@ from tyro.conf import OmitArgPrefixes, arg
 
 from manipplan.collision.scene import Scene
 from manipplan.goals.goal import read_configuration
-from manipplan.paths.export import NUMBER
+from manipplan.paths.table import NUMBER
 from manipplan.robots.catalog import load_robot
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array

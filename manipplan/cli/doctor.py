@@ -49,7 +49,7 @@ def doctor() -> int:
     show("packages", ", ".join(f"{each} {version(each)}" for each in PACKAGES))
     compiler = find_compiler()
     slower = f"none: control steps and kinematics are about three times slower; {install_line()}"
-    show("compiler", slower if compiler is None else shlex.join(compiler.command))
+    show("compiler", slower if compiler is None else shlex.join(compiler))
     library = find_library()
     show("kernels", "compiled by LLVM at their first use" if library is None else f"built in ({library.name})")
     show("cache", _describe_cache())

@@ -1,13 +1,4 @@
-"""Constraint: rows c(q) >= 0 that every configuration of a motion keeps.
-
-TiltLimit: an axis of the tool stays near a direction of the world, as that of a cup which must not spill.
-
-PositionBox: the tool's point stays inside a box.
-
-HeldJoints: joints that keep the value they have at the start.
-
-Constraints from a YAML file, and in JSON.
-"""
+"""Constraints: rows c(q) >= 0 that every configuration of a motion keeps; also from a YAML file, and in JSON."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -113,7 +104,7 @@ LEAST_ANGLE, LEAST_SINE = 1e-3, 0.05
 @one_line
 @dataclass(frozen=True)
 class TiltLimit(Constraint):
-    """An axis of the tool stays within an angle of a direction.
+    """An axis of the tool stays within an angle of a direction, as that of a cup which must not spill.
 
     Attributes:
         axis: (3,) in the tool's frame, of any length; kept with length 1.

@@ -1,8 +1,4 @@
-"""ConstraintSet: the constraints of one motion, evaluated for a robot, and whether the ends of the motion keep them.
-
-ToolFrame: the tool's pose and Jacobian in one call, and bounds on how fast both change.
-
-The proof that a path keeps constraints everywhere, and ConstraintFigure: how it keeps each of them.
+"""ConstraintSet: the constraints of one motion, evaluated for a robot, and the proof that a path keeps them everywhere.
 
 Rows of the tool's pose are proven. Between two parameters of a path, d apart, a row is at least the smaller value of both minus
 M d² / 8, where M bounds its second derivative along the path: joint speeds and accelerations are bounded by control points, and
@@ -46,7 +42,7 @@ POSE = 12
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ToolFrame:
-    """The tool of an arm.
+    """The tool of an arm: its pose and Jacobian in one call, and bounds on how fast both change.
 
     Attributes:
         function: POSE + 6 n numbers of q (n,): position, columns of the rotation, then linear and angular part of the Jacobian
@@ -375,12 +371,9 @@ def prove(constraints: ConstraintSet, path: JointPath) -> ConstraintProof:
 
 
 class _RowSamples:
-    """The rows at places of a path, and the smallest values found.
+    """The rows at places of a path, and the smallest values found, as in ConstraintProof.
 
-    Attributes:
-        least, least_at: as in ConstraintProof.
-        floor: (r,) what rows have to keep; at most ROW_TOLERANCE below 0.
-        broken_at: a place where a row is not kept; None for none.
+    Rows have to keep `floor` (r,), at most ROW_TOLERANCE below 0; `broken_at` is a place where one does not, None for none.
     """
 
     def __init__(self, constraints: ConstraintSet, path: JointPath) -> None:

@@ -104,13 +104,19 @@ def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> t
     if len(ends) == 2 and all(_loses_rank(kinematics, each[None]) for each in path(np.linspace(0.0, 1.0, ALONG))):
         return ()
     signs = singularity_signs(kinematics)
+    vanishing = {s: [] if signs is None else signs.vanishing(q[0]) for s, q in ends.items()}
+
+    def is_part_of(s: float, kind: str, end: float) -> bool:
+        """Whether the same factor vanishes at a singular end, and m nearly vanishes on the way there: it is one singularity."""
+        return (not kind or kind in vanishing[end]) and _is_low(path, kinematics, s, end)
+
     if signs is not None:
         found = _sign_changes(path, signs)
-        met = [(s, kind) for s, kind in found if not any(_is_part_of(path, kinematics, s, kind, end) for end in ends)]
+        met = [(s, kind) for s, kind in found if not any(is_part_of(s, kind, end) for end in ends)]
     else:
         inner = cost.at not in (0.0, 1.0) and _loses_rank(kinematics, path(np.array([cost.at])))
         met = [(cost.at, "")] if inner else []
-    met += [(s, _list_names(_vanishing(kinematics, q[0]))) for s, q in ends.items()]
+    met += [(s, _list_names(names)) for s, names in vanishing.items()]
     return tuple(_crossing(path, integral, s, kind) for s, kind in sorted(met))
 
 
@@ -241,12 +247,6 @@ def _is_linear(path: JointPath, integral: PathIntegral, s: float, steepness: flo
     return bool(len(places) > 0 and (np.abs(m / (steepness * speed * np.abs(places - s)) - 1) < BENT).all())
 
 
-def _is_part_of(path: JointPath, kinematics: Kinematics, s: float, kind: str, end: float) -> bool:
-    """Whether the same factor vanishes at a singular end, and m nearly vanishes on the way there: it is one singularity."""
-    same = not kind or kind in _vanishing(kinematics, path(np.array([end]))[0])
-    return same and _is_low(path, kinematics, s, end)
-
-
 def _is_low(path: JointPath, kinematics: Kinematics, s: float, end: float) -> bool:
     """Whether m nearly vanishes between two places."""
     between = kinematics.manipulability(path(np.linspace(s, end, 21)))
@@ -290,12 +290,6 @@ def _zeros(function: Callable[[Array], Array], low: Array, high: Array) -> list[
         first = np.argmax(np.vstack([inside != positive, np.ones((1, len(k)), dtype=bool)]), axis=0)
         low, high = grid[first, k], grid[first + 1, k]
     return [float(each) for each in (low + high) / 2]
-
-
-def _vanishing(kinematics: Kinematics, q: Array) -> list[str]:
-    """The factors that are zero at a configuration (n,)."""
-    signs = singularity_signs(kinematics)
-    return [] if signs is None else signs.vanishing(q)
 
 
 def _list_names(names: list[str]) -> str:

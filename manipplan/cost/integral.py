@@ -89,12 +89,7 @@ def _calls() -> dict[str, Callable[..., Any]]:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Panels:
-    """The integral of one path on panels.
-
-    Attributes:
-        integral: `Integral` of panels.c.
-        owners: what has to live as long as this object.
-    """
+    """The integral of one path on panels: `Integral` of panels.c, and the owners of what it refers to."""
 
     integral: ctypes.Structure
     owners: tuple[object, ...]
@@ -237,13 +232,11 @@ class PathIntegral:
     def _refined(
         self, path: JointPath, edges: Array, accuracy: float, halvings: int, *, most: float = np.inf, widens: bool = False
     ) -> tuple[float, Array]:
-        """g of a path, and the edges (k + 1,) of panels, halved until that changes each by at most a share of g.
+        """g of a path, and the edges (k + 1,) of panels, halved until that changes each by at most the share `accuracy` of g.
 
         Args:
-            path: the path.
-            edges: of the first panels.
-            accuracy: that share.
-            halvings: maximum number of halvings of a panel.
+            path, edges: the path, and the first panels.
+            accuracy, halvings: that share, and the maximum number of halvings of a panel.
             most: number of panels above which none is halved; without `widens` of those that still change, which makes g
                 infinite.
             widens: both neighbours of a panel are halved as well, since a dip of m moves with the path; so every panel counts

@@ -46,15 +46,10 @@ NOTABLE = 1e-3
 
 @dataclass(frozen=True, kw_only=True)
 class Optimality:
-    """First-order conditions of a path.
+    """First-order conditions of a path, as `Certificate` explains them.
 
-    Attributes:
-        projected_gradient: norm of the part of the gradient of g that active limits and clearances do not balance, over g
-            [1/rad]: the relative change of g per radian of the root mean square of the slope's change, all joints together.
-        complementarity: Σ λ_i |d_i - target| over g, where the target is the required clearance plus the margin for the proof:
-            about the share by which g would fall if no active pair kept more than the target.
-        active_clearance: largest difference between the distance of an active pair and the required clearance [m]; 0 where
-            no clearance is active. Above ACTIVE where only pairs that are further away balance the gradient.
+    The complementarity is Σ λ_i |d_i - target| over g; the target is the required clearance plus the margin for the proof.
+    The active clearance is above ACTIVE where only pairs that are further away balance the gradient.
     """
 
     projected_gradient: float

@@ -74,13 +74,9 @@ class DescentProgram:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Point:
-    """A path that was tried.
+    """A path that was tried: its unknowns z (f, n), and its value g over g₀, inf where that is not finite.
 
-    Attributes:
-        program: what is minimised.
-        z: its unknowns (f, n).
-        value: g over g₀; inf where it is not finite.
-        rows: those of clearance and of constraints that a step can make negative; none where nothing is checked.
+    `rows` are those of clearance and of constraints that a step can make negative; none where nothing is checked.
     """
 
     program: DescentProgram
@@ -253,14 +249,7 @@ class Ending(Enum):
 
 @dataclass(frozen=True, kw_only=True)
 class Descent:
-    """Where a descent ended.
-
-    Attributes:
-        z: unknowns (f, n).
-        steps: number of steps that were tried.
-        ending: why it ended.
-        violation: largest violation of limits, target clearance and constraints there [rad or m].
-    """
+    """Where a descent ended: unknowns z (f, n), the number of steps that were tried, and the largest violation [rad or m]."""
 
     z: Array
     steps: int
@@ -380,8 +369,7 @@ def descend(
     """Minimise g from z (f, n) to a local optimum of the true problem.
 
     Args:
-        program: what is minimised.
-        z: first unknowns (f, n).
+        program, z: what is minimised, and the first unknowns (f, n).
         tolerance: the descent ends when the predicted decrease of the merit function is below this share of g; default
             TOLERANCE, for short paths less, or FREE_TOLERANCE without collision checks.
         accuracy: factor of the default tolerance.

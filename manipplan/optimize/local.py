@@ -30,6 +30,8 @@ from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
 
 log = logging.getLogger("manipplan")
 
+#: Even places of a path.
+EVEN = np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
 #: Maximum number of rounds of solving and renewing clearance rows, per first path.
 ROUNDS = 8
 #: Rounds end when one lowers g by less than this share.
@@ -160,11 +162,7 @@ class LocalSearch:
 
     def single_path(self) -> list[Candidate]:
         """The only path of this basis, such as the straight line of degree 1; none when it is not free."""
-        path = self.program.basis.path(self.start, self.goal, self._straight())
-        if not (self.inside_limits(path) and self.keeps(path)):
-            return []
-        cost = self.program.integral.cost(path)
-        return [Candidate(path=path, coefficients=self._straight(), cost=cost, optimality=SINGLE, solver="no unknowns")]
+        return self._checked(self._path(self._straight()), self._straight(), SINGLE, "no unknowns")
 
     def from_straight_line(self) -> list[Candidate]:
         """The local optimum reached from the straight line, through the minimum of the energy without obstacles.
@@ -172,10 +170,7 @@ class LocalSearch:
         The descent among the obstacles starts at that minimum although it may collide; none when it ends in an obstacle.
         """
         line = self._straight()
-        floor = self._energy_floor(self.program.basis.path(self.start, self.goal, line))
-        solution = self.program.solve(
-            self.start, self.goal, line, floor, deadline=self.deadline, constraints=self.constraint_search()
-        )
+        solution = self._solve(line, self._energy_floor(self._path(line)))
         is_free, *_ = self._check_solution("straight", solution)
         if not (is_free or solution.converged):
             return []
@@ -189,9 +184,8 @@ class LocalSearch:
 
         The fit is that at an even pace or, where that is deeper in an obstacle, that at the pace of the path.
         """
-        basis, even = self.program.basis, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
-        coefficients = self.ends.met(basis, basis.fit(first, even), self.start, self.goal)
-        off = np.abs(basis.path(self.start, self.goal, coefficients)(even) - first(even)).max()
+        coefficients = self._fit(first)
+        off = np.abs(self._path(coefficients)(EVEN) - first(EVEN)).max()
         if off < FIT_TOLERANCE:  # a margin wider than that of the path would first lead away from it, such as from an optimum
             found = self.descend("path", coefficients, start_path=first, softens=False)
             return [] if found is None else [found]
@@ -202,8 +196,7 @@ class LocalSearch:
         """The smallest distance along the path of coefficients (n, size), at even places [m]; inf where nothing is checked."""
         if self.model is None:
             return np.inf
-        path = self.program.basis.path(self.start, self.goal, coefficients)
-        return self.model.least_distance(path(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)))[0]
+        return self.model.least_distance(self._path(coefficients)(EVEN))[0]
 
     def from_optimum(self, found: Candidate) -> list[Candidate]:
         """The local optimum near that of the coarse scene.
@@ -213,15 +206,13 @@ class LocalSearch:
         near_it = self.descend("coarse", found.coefficients)
         if near_it is not None:
             return [near_it]
-        if not (self.keeps(found.path) and self.inside_limits(found.path)):
-            return []
-        return [self._accept(found.path, found.coefficients, "the optimum of a coarse copy of the scene")]
+        kept = self._checked(found.path, found.coefficients, UNKNOWN, "the optimum of a coarse copy of the scene")
+        self.accepted.extend(kept)
+        return kept
 
     def embedded(self, path: JointPath) -> list[Candidate]:
         """The local optimum reached from a path of a lower degree."""
-        basis = self.program.basis
-        coefficients = basis.fit(path, np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1))
-        return self.optimum_from("lower degree", self.ends.met(basis, coefficients, self.start, self.goal))
+        return self.optimum_from("lower degree", self._fit(path))
 
     def optimum_from(self, name: str, coefficients: Array) -> list[Candidate]:
         """The local optimum of the true problem reached from coefficients (n, size); none when it is not free.
@@ -255,7 +246,7 @@ class LocalSearch:
         other.
         """
         best, rng = found, np.random.default_rng(0)
-        shape = self.program.basis.values(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)) @ self.program.free[:, :1]
+        shape = self.program.basis.values(EVEN) @ self.program.free[:, :1]
         for _ in range(DIRECTIONS):
             if not self._is_wedged(best):
                 break
@@ -323,7 +314,6 @@ class LocalSearch:
         """
         s, initial = self._followed(first)
         coefficients = initial
-        even = np.linspace(0.0, 1.0, len(s))
         places: tuple[near.Place, ...] = ()
         if self.model is not None:
             limit = self.clearance + near.NEAR
@@ -332,14 +322,12 @@ class LocalSearch:
         found: list[LowEnergy] = []
         free: list[float] = []  # g of those that are free
         for _ in range(ROUNDS):
-            path = self.program.basis.path(self.start, self.goal, coefficients)
             rows: ClearanceRows | None = None
             if self.model is not None:
+                path = self._path(coefficients)
                 watched = near.nearest(self.model, path, places, most=np.inf if free else self.clearance + near.FAR)
-                rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, even, s)), watched, self.clearance)
-            solution = self.program.solve(
-                self.start, self.goal, coefficients, floor, rows, self.deadline, self.constraint_search()
-            )
+                rows = near.rows_for(self.model, path, lambda at: first(np.interp(at, EVEN, s)), watched, self.clearance)
+            solution = self._solve(coefficients, floor, rows)
             if not solution.converged and np.array_equal(coefficients, initial):
                 break
             if not solution.converged:  # where it stopped depends on rounding errors: restart with the same places
@@ -362,26 +350,25 @@ class LocalSearch:
 
     def _low_energy_path(self, solution: Solution) -> list[Candidate]:
         """The free path of low energy itself, when no descent from it gave a free path; none when it leaves the limits."""
-        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
+        path, coefficients = self._path(solution.coefficients), solution.coefficients
         if not self.inside_limits(path):
             return []
         solver = f"no descent on g gave a collision-free path; this one has a low energy ({solution.status})"
-        return [self._accept(path, solution.coefficients, solver)]
+        cost = self.program.integral.cost(path)
+        found = Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=solver)
+        self.accepted.append(found)
+        return [found]
 
     def unconstrained_g(self, path: JointPath) -> float:
         """g of the local optimum near a path, without limits and obstacles."""
-        basis = self.program.basis
-        same_breaks = np.isin(path.breaks, basis.breaks).all()  # then the fit at even places is the path itself
-        even = np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1)
-        s = even if same_breaks else self.program.integral.constant_speed(path, near.DISTANCE_INTERVALS + 1)
-        coefficients = self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
+        same_breaks = np.isin(path.breaks, self.program.basis.breaks).all()  # then the fit at even places is the path itself
+        coefficients = self._fit(path) if same_breaks else self._followed(path)[1]
         if not self.program.free.size:
-            return self.program.integral.cost(basis.path(self.start, self.goal, coefficients)).g
+            return self.program.integral.cost(self._path(coefficients)).g
         moving = self.nearly_singular(self.program.integral.cost(path))
         true, z = self.program.descent_program(self.start, self.goal, coefficients, None, limited=False, moving=moving)
         nearby = true.length.curves.path(descend(true, z, tolerance=COMPARED).z)
-        costs = [self.program.integral.cost(each).g for each in (path, nearby)]
-        return min(costs)
+        return min(self.program.integral.cost(each).g for each in (path, nearby))
 
     def _check_solution(self, name: str, solution: Solution) -> tuple[bool, NearPairs, tuple[near.Place, ...]]:
         """Whether a solution of the energy is inside the limits and proven free, and its distance profile.
@@ -389,10 +376,10 @@ class LocalSearch:
         The third value is the place where the proof failed although the path is free at all places of the profile. The
         solution is appended to `history`.
         """
-        path = self.program.basis.path(self.start, self.goal, solution.coefficients)
+        path = self._path(solution.coefficients)
         profile, least = NearPairs.of((near.DISTANCE_INTERVALS + 1, 0), np.empty(0, dtype=np.intp), np.empty(0)), np.inf
         if self.model is not None and self.model.pair_names:
-            q = path(np.linspace(0.0, 1.0, near.DISTANCE_INTERVALS + 1))
+            q = path(EVEN)
             profile = near.distance_profile(self.model, q, self.clearance + near.NEAR)
             least = float(profile.distances.min()) if len(profile.distances) else self.model.least_distance(q)[0]
         failed_at: tuple[near.Place, ...] = ()
@@ -417,9 +404,19 @@ class LocalSearch:
 
     def _followed(self, path: JointPath) -> tuple[Array, Array]:
         """Places s (m,) at equal shares of a path's g, and the coefficients (n, size) of the fit to it there."""
-        s = self.program.integral.constant_speed(path, near.DISTANCE_INTERVALS + 1)
-        basis = self.program.basis
-        return s, self.ends.met(basis, basis.fit(path, s), self.start, self.goal)
+        s = self.program.integral.constant_speed(path, len(EVEN))
+        return s, self._fit(path, s)
+
+    def _fit(self, path: JointPath, s: Array = EVEN) -> Array:
+        """The coefficients (n, size) of the fit to a path at s (m,) that meets the end conditions."""
+        return self.ends.met(self.program.basis, self.program.basis.fit(path, s), self.start, self.goal)
+
+    def _path(self, coefficients: Array) -> JointPath:
+        return self.program.basis.path(self.start, self.goal, coefficients)
+
+    def _solve(self, guess: Array, floor: float, rows: ClearanceRows | None = None) -> Solution:
+        """The minimum of the energy reached from a guess (n, size)."""
+        return self.program.solve(self.start, self.goal, guess, floor, rows, self.deadline, self.constraint_search())
 
     def descend(
         self,
@@ -444,7 +441,7 @@ class LocalSearch:
         if self.model is not None:
             clearance_search = ClearanceSearch(model=self.model, functions=program.row_functions, clearance=self.clearance)
         kept_rows = self.constraint_search()
-        path = program.basis.path(self.start, self.goal, coefficients)
+        path = self._path(coefficients)
         first_cost = integral.cost(path)
         if not np.isfinite(first_cost.g):  # without a floor, a path through a singularity has no finite g
             return None
@@ -482,7 +479,9 @@ class LocalSearch:
                 break
             preliminary = margin > final or floor > integral.floor
             if start_path is not None and not wide and best is None and not preliminary:
-                best = self._confirmed(start_path, coefficients, measure_optimality(true, z))
+                optimality, solver = measure_optimality(true, z), "the first-order conditions hold where the descent began"
+                known_optimum = self._checked(start_path, coefficients, optimality, solver) if optimality.reached else []
+                best = known_optimum[0] if known_optimum else None
             descent = descend(
                 true,
                 z,
@@ -554,27 +553,19 @@ class LocalSearch:
             self.accepted.append(best)
         return best
 
-    def _confirmed(self, path: JointPath, coefficients: Array, optimality: Optimality) -> Candidate | None:
-        """A path where descents begin, if it is an optimum already, inside the limits and proven free; else None."""
-        if not (optimality.reached and self.inside_limits(path) and self.keeps(path)):
-            return None
-        solver = "the first-order conditions hold where the descent began"
+    def _checked(self, path: JointPath, coefficients: Array, optimality: Optimality, solver: str) -> list[Candidate]:
+        """A path as a candidate; none where it is not inside the limits and proven free."""
+        if not (self.inside_limits(path) and self.keeps(path)):
+            return []
         cost = self.program.integral.cost(path)
-        return Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)
+        return [Candidate(path=path, coefficients=coefficients, cost=cost, optimality=optimality, solver=solver)]
 
     def _accept_late(self, path: JointPath, coefficients: Array, best: Candidate | None) -> NoReturn:
         """Accept the path that is reached at the deadline if it is proven free, and the best one before it."""
         if best is not None:
             self.accepted.append(best)
-        if self.inside_limits(path) and self.keeps(path):
-            self._accept(path, coefficients, Ending.LATE.value)
+        self.accepted.extend(self._checked(path, coefficients, UNKNOWN, Ending.LATE.value))
         raise OutOfTimeError
-
-    def _accept(self, path: JointPath, coefficients: Array, solver: str) -> Candidate:
-        """A path of unknown first-order conditions, as an accepted candidate."""
-        cost = self.program.integral.cost(path)
-        self.accepted.append(Candidate(path=path, coefficients=coefficients, cost=cost, optimality=UNKNOWN, solver=solver))
-        return self.accepted[-1]
 
     def margins(self, start_path: JointPath | None) -> list[float]:
         """Margins [m] of the descents from one path, in turn; none is wider than start and goal allow.

@@ -408,9 +408,7 @@ def shift_goals(robot: Robot, start: Array, goal: Array, shifts: str) -> list[Ar
     return [each for each in goals if np.abs(each - start).max() > 1e-9]
 
 
-def _coincide(first: JointPath | None, second: JointPath | None) -> bool:
-    if first is None or second is None:
-        return first is second
+def _coincide(first: JointPath, second: JointPath) -> bool:
     return bool(np.abs(_even(first) - _even(second)).max() < EQUAL_PATHS)
 
 

@@ -22,9 +22,8 @@ from manipplan.optimize.local import INSIDE, Candidate, LocalSearch, Until
 from manipplan.optimize.program import PathProgram
 from manipplan.optimize.result import PathResult, Step, make_result
 from manipplan.paths.basis import EndConditions, PathShape, find_basis
-from manipplan.paths.export import read_trajectory
 from manipplan.paths.joint import JointPath
-from manipplan.paths.trajectory import Trajectory, unwrapped
+from manipplan.paths.trajectory import Trajectory, read_trajectory, unwrapped
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seed import seed_path
 from manipplan.seeds.seeding import MOST_SEEDS, OPTIMISING, Seeding, random_path

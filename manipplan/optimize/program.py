@@ -38,14 +38,6 @@ SOLVED_SPACING = 2.0**-16
 ENERGY_TOLERANCE, ENERGY_STEPS, FREE_ENERGY_STEPS, ENERGY_RADIUS, ENERGY_PENALTY = 1e-6, 60, 100, 0.4, 20.0
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class LimitHull:
-    """Points start + line (goal - start) + rows x, whose joint limits are those of the curve: (r,) and (r, size)."""
-
-    line: Array
-    rows: Array
-
-
 @dataclass(frozen=True, kw_only=True)
 class Solution:
     """Result of one solve of the energy: coefficients (n, size), how it ended, and whether it did before the last step."""
@@ -67,11 +59,11 @@ class PathProgram:
         self.free = free_directions(fixed, basis)
         self._hull, self._fine_hull = self._moving_hull(LIMIT_PARTS), self._moving_hull(FINE_PARTS)
 
-    def _moving_hull(self, parts: int) -> LimitHull:
-        """The control points that can move when the curve is cut into this number of parts."""
+    def _moving_hull(self, parts: int) -> tuple[Array, Array]:
+        """As `Basis.hull`, of the control points that can move when the curve is cut into this number of parts."""
         line, rows = self.basis.hull(parts)
         moving = np.abs(rows @ self.free).max(axis=1, initial=0.0) > 1e-9
-        return LimitHull(line=line[moving], rows=rows[moving])
+        return line[moving], rows[moving]
 
     @cached_property
     @building()
@@ -126,16 +118,9 @@ class PathProgram:
     ) -> tuple[DescentProgram, Array]:
         """The program of g among the true obstacles, and the unknowns z (f, n) that give the path of coefficients (n, size).
 
-        Args:
-            start, goal: (n,) [rad or m].
-            coefficients: (n, size) of the path where the descent begins. g is integrated on quadrature panels that are narrow
-                where this path needs it.
-            clearance: distances of the true bodies; None: nothing is checked for collision.
-            limited: False: without joint limits.
-            edges: panel edges (k + 1,) that earlier paths needed; they are refined.
-            floor: floor of g; None: that of the objective.
-            moving: the panels follow each path; `edges` are ignored.
-            constraints: what is kept beside limits and clearance; None: nothing.
+        The descent begins at that path. g, with the floor of the objective unless another is given, is integrated on quadrature
+        panels that are narrow where the path needs it: `edges` (k + 1,), which earlier paths needed, are refined. With `moving`
+        the panels follow each path instead. Joint limits do not hold unless `limited`.
         """
         integral = self.integral if floor is None else replace(self.integral, floor=floor)
         curves, z = self._curves(start, goal, coefficients)
@@ -165,12 +150,13 @@ class PathProgram:
         base = self._rounded(coefficients - (directions @ z).T)
         return Curves(basis=self.basis, directions=directions, base=base, start=start, goal=goal), on_grid(z, SPACING)
 
-    def _limit_rows(self, hull: LimitHull, curves: Curves, *, inset: float = 0.0) -> LimitRows:
+    def _limit_rows(self, hull: tuple[Array, Array], curves: Curves, *, inset: float = 0.0) -> LimitRows:
         """The joint limits of the points of a hull, narrowed by `inset` [rad or m] up to start and goal; -inf: none."""
-        limits, ends = self.kinematics.robot.limits, np.array([curves.start, curves.goal])
+        (line, rows), limits = hull, self.kinematics.robot.limits
+        ends = np.array([curves.start, curves.goal])
         return LimitRows(
-            line=curves.start + np.outer(hull.line, curves.goal - curves.start) + hull.rows @ curves.base.T,
-            directions=hull.rows @ curves.directions,
+            line=curves.start + np.outer(line, curves.goal - curves.start) + rows @ curves.base.T,
+            directions=rows @ curves.directions,
             lower=np.minimum(limits.lower + inset, ends.min(axis=0)),
             upper=np.maximum(limits.upper - inset, ends.max(axis=0)),
         )

@@ -76,14 +76,7 @@ class PathResult:
 @one_line
 @dataclass(frozen=True, kw_only=True)
 class NoPath(Failure):
-    """What `optimize_path` returns with throw=False when it finds no collision-free first path.
-
-    Attributes:
-        message: the reason.
-        status: Status.NO_PATH.
-        path, seed: None.
-        g: inf.
-    """
+    """What `optimize_path` returns with throw=False when it finds no collision-free first path; `message` is the reason."""
 
     status: Status = Status.NO_PATH
     path: None = None

@@ -58,12 +58,7 @@ class LinearRows:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LimitRows:
-    """The control points (r, n) of the curve between lower and upper limits (n,).
-
-    Attributes:
-        line, directions: (r, n) and (r, f): the points at z are line + directions z.
-        lower, upper: limits (n,).
-    """
+    """The control points line (r, n) + directions (r, f) z of the curve between lower and upper limits (n,)."""
 
     line: Array
     directions: Array
@@ -294,14 +289,9 @@ class DistanceRows(NonlinearRows):
         return np.asarray((vectors * values[:, None]) @ vectors.transpose(0, 2, 1))
 
     def gradients_nearby(self, rows: NDArray[np.intp], step: float) -> tuple[Array, NDArray[np.intp]]:
-        """Gradients of the distances of some rows, on the path and with each joint moved by a step.
+        """Gradients of the distances of some rows (r,), on the path and with each joint moved by a step to either side.
 
-        Args:
-            rows: indices of the rows (r,).
-            step: joint step to either side [rad or m].
-
-        Returns:
-            The gradients (k, f n) with k = r (2 n + 1), and for each the index of its row (k,).
+        They are (k, f n) with k = r (2 n + 1); also the row (k,) of each.
         """
         n = self.q.shape[1]
         moves = step * np.concatenate([np.zeros((1, n)), np.eye(n), -np.eye(n)])
@@ -344,13 +334,7 @@ class DistanceRows(NonlinearRows):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FixedRows:
-    """Clearance rows at fixed places of the curves.
-
-    Attributes:
-        functions: those of clearance rows, by q and the numbers of a row.
-        rows: their places and planes.
-        line, changes: the curve of z = 0 (r, n) and its change with z (r, f), at these places.
-    """
+    """Clearance rows at fixed places of the curves, where the curve of z = 0 is `line` (r, n) and changes with z (r, f)."""
 
     functions: Derivatives
     rows: ClearanceRows
@@ -415,12 +399,9 @@ BOTTOM_STEPS = 5
 
 @dataclass(kw_only=True, eq=False)
 class ConstraintSearch:
-    """Looks for the smallest rows on paths that differ little from each other.
+    """Looks for the smallest rows on paths that differ little from each other; rows keep the values `target` (r,).
 
-    Attributes:
-        constraints: what is kept.
-        target: (r,) values that rows keep.
-        always: places s at which all rows are evaluated as well, such as those where a proof failed.
+    All rows are evaluated at the places s of `always` as well, such as those where a proof failed.
     """
 
     constraints: ConstraintSet
@@ -487,12 +468,9 @@ class ConstraintSearch:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ConstraintRows(NonlinearRows):
-    """The rows of constraints beyond their targets.
+    """The rows of constraints beyond their targets, of which they are the rows `indices` (r,).
 
-    Attributes:
-        search: source of the rows.
-        least: the smallest value on the curve of a row beyond its target; at most 0.
-        indices: (r,) the row of the constraints that each of these is.
+    `least` is the smallest value on the curve of a row beyond its target; at most 0.
     """
 
     search: ConstraintSearch

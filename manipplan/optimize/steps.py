@@ -41,10 +41,7 @@ def points(line: Array, values: Array, z: Array) -> Array:
 def gradient(weights: Array, values: Array, slopes: Array, each: Array) -> Array:
     """The gradient (f, n) of Σ_i w_i e(q_i, q'_i) by z.
 
-    Args:
-        weights: (m,).
-        values, slopes: (m, f) change of q and q' with z.
-        each: (m, 2 n) derivatives of e.
+    From weights (m,), the change of q and q' with z (m, f), and the derivatives of e (m, 2 n).
     """
     n, f = each.shape[1] // 2, values.shape[1]
     out = np.empty((f, n))
@@ -53,13 +50,7 @@ def gradient(weights: Array, values: Array, slopes: Array, each: Array) -> Array
 
 
 def derivatives(n: int, weights: Array, values: Array, slopes: Array, each: Array) -> tuple[Array, Array]:
-    """The same gradient (f, n), and the Hessian (f n, f n).
-
-    Args:
-        n: number of joints.
-        weights, values, slopes: as above.
-        each: (m, 2 n + 4 n²) gradients and Hessians of e.
-    """
+    """The same gradient (f, n) for n joints, and the Hessian (f n, f n), from gradients and Hessians of e (m, 2 n + 4 n²)."""
     f = values.shape[1]
     first, second, work = np.empty((f, n)), np.empty((f * n, f * n)), np.empty((f * f + 6) * n * n)
     _calls()["derivatives"](len(weights), n, f, *map(_at, (weights, values, slopes, each, work, first, second)))
@@ -107,9 +98,7 @@ def rows_within(
 ) -> tuple[NDArray[np.int64], Array, Array]:
     """The rows values (r,) + jacobian (r, k) p >= 0 that a p with |p_i| <= radius can come within `spacing` of.
 
-    Returns:
-        Indices of the rows (c,); their negative values, rounded to multiples of the spacing (c,); and their jacobian (c, k),
-        rounded to `bits` bits.
+    Their indices (c,), negative values (c,), rounded to multiples of the spacing, and jacobian (c, k), rounded to `bits` bits.
     """
     (r, k), values, jacobian = jacobian.shape, np.ascontiguousarray(values), np.ascontiguousarray(jacobian)
     chosen, least, rows = np.empty(r, dtype=np.int64), np.empty(r), np.empty((r, k))

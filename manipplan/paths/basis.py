@@ -225,6 +225,13 @@ def subdivision(degree: int, pieces: int) -> Array:
     return np.concatenate([*rows, rest])
 
 
+#: The derivatives that can be fixed: s and order of each.
+DERIVATIVES = {
+    "start_slope": (0.0, 1),
+    "goal_slope": (1.0, 1),
+    "start_second_derivative": (0.0, 2),
+    "goal_second_derivative": (1.0, 2),
+}
 #: Tolerance on end derivatives, as a share of the derivative or, if larger, of the distance from start to goal.
 TOLERANCE = 1e-6
 #: Tolerance to which slopes of integrated Legendre polynomials are orthogonal.
@@ -246,7 +253,7 @@ class EndConditions:
     @property
     def pattern(self) -> tuple[tuple[float, int], ...]:
         """The fixed derivatives: s and order of each."""
-        return tuple((s, order) for s, order, value in self._all() if value is not None)
+        return tuple((s, order) for s, order, _ in self._given())
 
     def check_degree(self, basis_of: Callable[[int], Basis], degree: int) -> None:
         """Raise InvalidInputError for a degree too low for the conditions; `basis_of` gives the basis of a degree."""
@@ -267,7 +274,7 @@ class EndConditions:
     def met(self, basis: Basis, coefficients: Array, start: Array, goal: Array) -> Array:
         """The coefficients (n, size) of the path that meets the conditions and whose slopes are nearest to those given."""
         line = {1: goal - start, 2: np.zeros_like(start)}
-        wanted = [value - line[order] for _, order, value in self._all() if value is not None]
+        wanted = [value - line[order] for _, order, value in self._given()]
         if not wanted:
             return coefficients
         rows, across = end_rows(self.pattern, basis), orthonormal(basis)
@@ -279,17 +286,13 @@ class EndConditions:
         way = float(np.abs(path.goal - path.start).max())
         return all(
             np.abs(path(s, order) - value).max() <= TOLERANCE * max(way, float(np.abs(value).max()))
-            for s, order, value in self._all()
-            if value is not None
+            for s, order, value in self._given()
         )
 
-    def _all(self) -> tuple[tuple[float, int, Array | None], ...]:
-        return (
-            (0.0, 1, self.start_slope),
-            (1.0, 1, self.goal_slope),
-            (0.0, 2, self.start_second_derivative),
-            (1.0, 2, self.goal_second_derivative),
-        )
+    def _given(self) -> list[tuple[float, int, Array]]:
+        """s, order and value of each fixed derivative."""
+        found = [(*at, getattr(self, name)) for name, at in DERIVATIVES.items()]
+        return [(s, order, value) for s, order, value in found if value is not None]
 
 
 def end_rows(pattern: tuple[tuple[float, int], ...], basis: Basis) -> Array:
@@ -343,25 +346,19 @@ class PathShape:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "degree", whole_number("degree", self.degree, least=1, most=MOST_DEGREE))
-        for name in ("start_slope", "goal_slope", "start_second_derivative", "goal_second_derivative"):
+        for name in DERIVATIVES:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, finite_array(name, getattr(self, name), (None,)))
         size = self.functions().size
         object.__setattr__(self, "pieces", int(self.pieces))
         if size > MOST_COEFFICIENTS:
-            wanted = (
-                f"fewer: with degree {self.degree} the basis {self.basis!r} has {size} coefficients per joint, "
-                f"of at most {MOST_COEFFICIENTS}"
-            )
-            raise InvalidInputError("pieces", self.pieces, wanted)
+            has = f"with degree {self.degree} the basis {self.basis!r} has {size} coefficients per joint"
+            raise InvalidInputError("pieces", self.pieces, f"fewer: {has}, of at most {MOST_COEFFICIENTS}")
 
     @property
     def has_slopes(self) -> bool:
         """Whether a derivative at an end is given."""
-        return any(
-            each is not None
-            for each in (self.start_slope, self.goal_slope, self.start_second_derivative, self.goal_second_derivative)
-        )
+        return any(getattr(self, name) is not None for name in DERIVATIVES)
 
     def functions(self) -> Basis:
         """The basis functions."""
@@ -370,12 +367,7 @@ class PathShape:
     def ends(self, n: int) -> EndConditions:
         """The fixed derivatives of n joints; raises InvalidInputError where the degree is too low for them."""
         n = whole_number("n", n, least=1)
-        given = {
-            name: getattr(self, name)
-            for name in ("start_slope", "goal_slope", "start_second_derivative", "goal_second_derivative")
-        }
-        ends = EndConditions(
-            **{name: None if value is None else finite_array(name, value, (n,)) for name, value in given.items()}
-        )
+        given = {name: getattr(self, name) for name in DERIVATIVES if getattr(self, name) is not None}
+        ends = EndConditions(**{name: finite_array(name, value, (n,)) for name, value in given.items()})
         ends.check_degree(lambda k: find_basis(self.basis, k, self.pieces), self.degree)
         return ends

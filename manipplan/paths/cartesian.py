@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
-from manipplan.paths.export import Table
+from manipplan.paths.table import Table
 from manipplan.paths.tolerance import distinct
 from manipplan.support.checks import (
     COINCIDENT,
@@ -38,10 +38,12 @@ from manipplan.support.checks import (
     number_array,
     pose_matrix,
     unit_quaternion,
+    unit_vector,
     whole_number,
 )
 from manipplan.support.display import one_line
 from manipplan.support.errors import FileFormatError, InvalidInputError
+from manipplan.symbolic.free_motion import rotation_vectors, rotations_of
 
 #: Distance from the polygon that counts as near, as a share of the longest of a piece and its two neighbours.
 NEAR = 1 / 8
@@ -78,24 +80,19 @@ class PoseSpline:
     @property
     def stays_near(self) -> bool:
         """Whether each piece stays within `NEAR` of that of the polygon, and the length within `LONGEST`, at samples."""
-        begins = np.arange(len(self.s) - 1)
+        count = len(self.s) - 1
         u = np.linspace(0.0, 1.0, INSIDE + 1)[1:-1]
         positions, rotations = self((self.s[:-1, None] + np.diff(self.s)[:, None] * u).ravel())
-        turns = rotation_vectors(np.swapaxes(self.poses[:-1, :3, :3], 1, 2) @ self.poses[1:, :3, :3])
         turned = rotation_vectors(np.swapaxes(np.repeat(self.poses[:-1, :3, :3], len(u), axis=0), 1, 2) @ rotations)
         moved = positions - np.repeat(self.poses[:-1, :3, 3], len(u), axis=0)
-        for chords, along in ((np.diff(self.poses[:, :3, 3], axis=0), moved), (turns, turned)):
+        for chords, along in ((np.diff(self.poses[:, :3, 3], axis=0), moved), (turns_between(self.poses), turned)):
             sizes = _norms(chords)[:, 0]
-            wide = np.pad(sizes, 1)
-            room = NEAR * np.maximum(np.maximum(wide[:-2], wide[1:-1]), wide[2:])
             whole = np.repeat(chords, len(u), axis=0)
             share = np.clip(_ratio((along * whole).sum(axis=1, keepdims=True), _norms(whole) ** 2), 0.0, 1.0)
-            off = _norms(along - share * whole).reshape(len(begins), len(u)).max(axis=1)
-            points = np.concatenate(
-                [np.zeros((len(begins), 1, 3)), along.reshape(len(begins), len(u), 3), chords[:, None]], axis=1
-            )
+            off = _norms(along - share * whole).reshape(count, len(u)).max(axis=1)
+            points = np.concatenate([np.zeros((count, 1, 3)), along.reshape(count, len(u), 3), chords[:, None]], axis=1)
             length = float(np.linalg.norm(np.diff(points, axis=1), axis=2).sum())
-            if (off > CERTAIN * room + 1e-12).any() or length > LONGEST * sizes.sum() + 1e-12:
+            if (off > CERTAIN * neighbourhood(sizes) + 1e-12).any() or length > LONGEST * sizes.sum() + 1e-12:
                 return False
         return True
 
@@ -113,7 +110,7 @@ class PoseCurve:
         self.s, self.poses = s, poses
         widths = np.diff(s)[:, None]
         moves = np.diff(poses[:, :3, 3], axis=0)
-        self.turns = rotation_vectors(np.swapaxes(poses[:-1, :3, :3], 1, 2) @ poses[1:, :3, :3])
+        self.turns = turns_between(poses)
         self.shifts = _shifts(widths, moves, turns=False), _shifts(widths, self.turns, turns=True)
 
     def __call__(self, s: Array) -> tuple[Array, Array]:
@@ -128,27 +125,21 @@ class PoseCurve:
         return positions, begins[:, :3, :3] @ rotations_of(u * self.turns[piece]) @ rotations_of(turned)
 
 
-def rotation_vectors(rotations: Array) -> Array:
-    """Rotation vectors (k, 3) of rotations (k, 3, 3), of at most half a turn."""
-    from scipy.spatial.transform import Rotation
-
-    return np.asarray(Rotation.from_matrix(rotations).as_rotvec())
+def turns_between(poses: Array) -> Array:
+    """Rotation vectors (k - 1, 3) from each of poses (k, 4, 4) to the next one, in the frame of the first."""
+    return rotation_vectors(np.swapaxes(poses[:-1, :3, :3], 1, 2) @ poses[1:, :3, :3])
 
 
-def rotations_of(vectors: Array) -> Array:
-    """Rotations (k, 3, 3) of rotation vectors (k, 3)."""
-    from scipy.spatial.transform import Rotation
-
-    return np.asarray(Rotation.from_rotvec(vectors).as_matrix())
+def neighbourhood(sizes: Array) -> Array:
+    """How far a path may be from the pieces of a polygon whose lengths or angles are `sizes` (..., p)."""
+    wide = np.pad(sizes, [(0, 0)] * (sizes.ndim - 1) + [(1, 1)])
+    return np.asarray(NEAR * np.maximum(np.maximum(wide[..., :-2], wide[..., 1:-1]), wide[..., 2:]))
 
 
 def _shifts(widths: Array, chords: Array, *, turns: bool) -> Array:
     """First derivatives at both ends of each piece and second ones, over u, of the shift δ: (p, 4, 3).
 
-    Args:
-        widths: (p, 1) of the pieces in s.
-        chords: (p, 3), moves or rotation vectors of the pieces.
-        turns: whether these are rotations.
+    For widths (p, 1) of the pieces in s, and their moves or, with `turns`, their rotation vectors (p, 3).
     """
     speeds = chords / widths
     velocity = _velocities(widths, chords, speeds)
@@ -304,12 +295,10 @@ class CartesianPath(ABC):
             angle: of the arc [rad], positive by the right-hand rule.
             turning: whether the tool turns with the arc; otherwise it keeps its rotation.
         """
-        axis = finite_array("axis", axis, (3,))
-        length = number("the length of axis", float(np.linalg.norm(axis)), above=1e-9)
         return ArcPath(
             start=pose_matrix("start", start),
             centre=finite_array("centre", centre, (3,)),
-            axis=axis / length,
+            axis=unit_vector("axis", axis),
             angle=number("angle", angle),
             turning=flag("turning", turning),
         )
@@ -342,8 +331,8 @@ class CartesianPath(ABC):
         if len(matrices) < 2:
             wanted = f"at least two poses that differ: all are within {COINCIDENT:g} m and rad of the first one"
             raise InvalidInputError("poses", f"{len(poses)} poses", wanted)
-        turns = rotation_vectors(np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3])
-        steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + RADIAN * np.linalg.norm(turns, axis=1)
+        turns = np.linalg.norm(turns_between(matrices), axis=1)
+        steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1) + RADIAN * turns
         s = np.concatenate([[0.0], np.cumsum(steps) / steps.sum()])
         s[-1] = 1.0
         return SplinePath(s=s, poses=matrices)

@@ -1,10 +1,6 @@
-"""Motions as files that robot controllers run: URScript, and tables at 1 kHz for a Franka arm.
+"""Motions as files that robot controllers run.
 
-A trajectory at the rate of a controller, and what every such format asks for.
-
-A table of joint positions at 1 kHz, as the position interfaces of the Franka Panda and the Franka Research 3 take them.
-
-URScript: a program for the controllers of Universal Robots, which follows a motion by servoj.
+URScript, whose program follows a motion by servoj, and tables at 1 kHz, as a Franka arm's position interface takes them.
 """
 
 from collections.abc import Sequence
@@ -27,13 +23,7 @@ MOST = 300_000
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ControllerFormat:
-    """What a controller takes.
-
-    Attributes:
-        name: for messages.
-        joints: for each joint in its order, the ends of the names by which it is known.
-        lower, upper: (n,) joint limits [rad].
-    """
+    """What a controller takes: of each joint in its order the ends of its possible names, and joint limits (n,) [rad]."""
 
     name: str
     joints: tuple[tuple[str, ...], ...]
@@ -89,13 +79,10 @@ LIMIT_MARGIN = 1 + 1e-5
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arm:
-    """What an arm accepts, by differences of neighbouring positions.
+    """What an arm accepts, by differences of neighbouring positions: (7,) in rad/s, rad/s² and rad/s³.
 
-    Attributes:
-        controller: its joints, by the names in franka_description, with their position limits.
-        velocity, acceleration, jerk: (7,) largest joint velocities [rad/s], accelerations [rad/s²] and jerks [rad/s³].
-        braking: a, b, upper, lower (7,) each: towards a limit the velocity is at most sqrt(b d) - a, with d the
-            distance from `upper` or `lower` [rad]; None where the velocity limits do not depend on the position.
+    `braking` is a, b, upper, lower (7,) each: towards a limit the velocity is at most sqrt(b d) - a, with d the distance from
+    `upper` or `lower` [rad]; None where the velocity limits do not depend on the position.
     """
 
     controller: ControllerFormat

@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from manipplan.paths.cartesian import NEAR, RADIAN, CartesianPath, rotation_vectors, rotations_of
+from manipplan.paths.cartesian import RADIAN, CartesianPath, neighbourhood, turns_between
 from manipplan.paths.tolerance import Tolerance, with_defaults
 from manipplan.support.checks import Array, instance
 from manipplan.support.errors import InvalidInputError
-from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, Turns
+from manipplan.symbolic.free_motion import NOTHING, BoundedMotion, FreeMotion, Turns, rotation_vectors, rotations_of
 
 #: Number of poses on the path.
 POSES = 2001
@@ -122,9 +122,8 @@ def beyond_polygon(
     """
     if isinstance(free, BoundedMotion) or (free.in_tool and len(free.shifts)):
         return _beyond_region(given, poses, free, tolerance, widen=True)
-    turns = rotation_vectors(np.swapaxes(given[:-1, :3, :3], 1, 2) @ given[1:, :3, :3])
-    sizes = np.linalg.norm([np.diff(given[:, :3, 3], axis=0), turns], axis=2)
-    room = _room(sizes)
+    turns, sizes, middles = _pieces_of(given)
+    room = neighbourhood(sizes)
     blocks = [slice(begin, begin + BLOCK) for begin in range(0, len(poses), BLOCK)]
     first = np.concatenate([_nearest(poses[each], given, free)[0] for each in blocks])
     pieces = np.clip(np.concatenate([first - 1, first, first + 1]), 0, len(turns) - 1)
@@ -132,18 +131,18 @@ def beyond_polygon(
     # a pose outside the neighbourhoods of the nearest pieces is compared with all that may be nearer than BESIDE, or with all
     outside = np.flatnonzero(position + RADIAN * rotation > 0)
     step = max(1, MOST_PAIRS // len(turns))
+
+    def compare(some: NDArray[np.intp], near: NDArray[np.bool_] | None = None, allowed: Array | None = None) -> None:
+        rows, pieces = np.nonzero(np.ones((len(some), len(turns))) if near is None else near)
+        position[some], rotation[some] = _beyond_pieces(rows, pieces, given, room, poses[some], free, allowed)
+
     for some in (outside[begin : begin + step] for begin in range(0, len(outside), step)):
-        near = _least_beyond(given, turns, sizes, room, poses[some], free) <= BESIDE
-        rows, pieces = np.nonzero(near)
-        position[some], rotation[some] = _beyond_pieces(rows, pieces, given, room, poses[some], free)
-        left = some[~(position[some] + RADIAN * rotation[some] <= BESIDE)]
-        rows, pieces = np.nonzero(np.ones((len(left), len(turns))))
-        position[left], rotation[left] = _beyond_pieces(rows, pieces, given, room, poses[left], free)
+        compare(some, _least_beyond(middles, sizes, room, poses[some], free) <= BESIDE)
+        compare(some[~(position[some] + RADIAN * rotation[some] <= BESIDE)])
     allowed = _allowed(tolerance)
     outside = np.flatnonzero((np.stack([position, rotation], axis=1) > allowed).any(axis=1))
     for some in (outside[begin : begin + step] for begin in range(0, len(outside), step)):
-        rows, pieces = np.nonzero(np.ones((len(some), len(turns))))
-        position[some], rotation[some] = _beyond_pieces(rows, pieces, given, room, poses[some], free, allowed)
+        compare(some, allowed=allowed)
     return position, rotation
 
 
@@ -153,10 +152,11 @@ def _allowed(tolerance: Tolerance | None) -> Array:
     return np.array([np.inf if part is None else part for part in parts])
 
 
-def _room(sizes: Array) -> Array:
-    """Widths (2, n - 1) of the neighbourhoods of pieces whose lengths and angles are `sizes` (2, n - 1) [m, rad]."""
-    wide = np.pad(sizes, ((0, 0), (1, 1)))
-    return np.asarray(NEAR * np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:]))
+def _pieces_of(line: Array) -> tuple[Array, Array, Array]:
+    """Of the pieces between poses of a line (m, 4, 4): turns (m - 1, 3), sizes (2, m - 1) [m, rad], poses at the middle."""
+    turns = turns_between(line)
+    sizes = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), turns], axis=2)
+    return turns, sizes, _along(line, turns, np.arange(len(turns)), np.full(len(turns), 0.5))
 
 
 def _beyond_region(
@@ -166,14 +166,8 @@ def _beyond_region(
 
     Of each pose the place counts that it exceeds by the smallest sum of shares of the tolerance, and where that is outside, by
     the smallest factor. Every ANCHORS-th is compared with all pieces, those between with the pieces between its two, and where
-    that leaves more than half of the tolerance with all.
-
-    Args:
-        line: the path; with `is_reached` the tool's way, and the regions are those about the poses.
-        poses: of the tool; with `is_reached` those of the path.
-        free: the region.
-        tolerance: what is compared with what is exceeded; None: the default.
-        widen: whether the neighbourhoods of the pieces count as they do for `beyond_polygon`.
+    that leaves more than half of the tolerance with all. With `is_reached` the line is the tool's way, and the regions are
+    those about the poses. With `widen` the neighbourhoods of the pieces count as they do for `beyond_polygon`.
     """
     pieces = _RegionPieces(line, free, with_defaults(tolerance), widen=widen, is_reached=is_reached)
     count, every = len(poses), np.arange(len(line) - 1)
@@ -211,11 +205,9 @@ class _RegionPieces:
     def __init__(self, line: Array, free: FreeMotion, tolerance: Tolerance, *, widen: bool, is_reached: bool) -> None:
         self.line, self.free, self.widen, self.is_reached = line, free, widen, is_reached
         self.allowed = np.array([tolerance.position, tolerance.rotation], dtype=np.float64)
-        self.turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
-        sizes = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), self.turns], axis=2)
-        self.room = _room(sizes) if widen else np.zeros_like(sizes)
+        self.turns, sizes, self.middles = _pieces_of(line)
+        self.room = neighbourhood(sizes) if widen else np.zeros_like(sizes)
         self.half = sizes / 2 + self.room
-        self.middles = _along(line, self.turns, np.arange(len(self.turns)), np.full(len(self.turns), 0.5))
 
     def compare(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
         """How far poses (k, 4, 4) are outside the best of `pieces` (j,), (k, 2), and which it is, (k,)."""
@@ -281,9 +273,8 @@ def _along(line: Array, turns: Array, pieces: NDArray[np.intp], shares: Array) -
     return poses
 
 
-def _least_beyond(given: Array, turns: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
+def _least_beyond(middles: Array, sizes: Array, room: Array, poses: Array, free: FreeMotion) -> Array:
     """Lower bounds (k, n - 1) on how far poses (k, 4, 4) are outside the neighbourhoods of pieces [m], angles counted in."""
-    middles = _along(given, turns, np.arange(len(turns)), np.full(len(turns), 0.5))
     position, angle = _apart(poses, middles, free)
     least = np.maximum(position - sizes[0] / 2 - room[0], 0.0)
     return np.asarray(least + RADIAN * np.maximum(angle - sizes[1] / 2 - room[1], 0.0))
@@ -352,11 +343,9 @@ def _least_excess(allowed: Array, line: Array, poses: Array, free: FreeMotion) -
 
     A piece is compared closely if its middle less its half size may be better than the best middle, at most CLOSELY of a pose.
     """
-    turns = rotation_vectors(np.swapaxes(line[:-1, :3, :3], 1, 2) @ line[1:, :3, :3])
-    half = np.linalg.norm([np.diff(line[:, :3, 3], axis=0), turns], axis=2)[:, None] / 2
-    middles = _along(line, turns, np.arange(len(turns)), np.full(len(turns), 0.5))
+    _, sizes, middles = _pieces_of(line)
     apart = np.array(_apart(poses, middles, free))
-    half = np.repeat(half, len(poses), axis=1) + ROUNDING
+    half = np.repeat(sizes[:, None] / 2, len(poses), axis=1) + ROUNDING
     if free.in_tool and len(free.shifts):  # the directions of shifts turn along a piece
         half[0] += half[1] * np.sqrt(_squares(poses[:, :3, 3], middles[:, :3, 3]))
     at_middle = _worst_share(np.moveaxis(apart, 0, 2), allowed)
@@ -459,27 +448,23 @@ def _largest(position: Array, rotation: Array) -> Deviation:
 
 def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[Array, Array]:
     """Distances (k,) and angles (k,) of poses from straight pieces, each between two poses; `radian`: weight of angles [m]."""
-    from scipy.spatial.transform import Rotation
-
     start, along, offset, turn = _on_pieces(poses, begins, ends, free)
     if free.turns is Turns.NONE:
-        turns, leans = turn, Rotation.from_matrix(np.swapaxes(start, 1, 2) @ poses[:, :3, :3]).as_rotvec()
+        turns, leans = turn, rotation_vectors(np.swapaxes(start, 1, 2) @ poses[:, :3, :3])
     else:
         turns, leans = (free.directions(each[:, :3, :3]) - free.directions(start) for each in (ends, poses))
     length = (along**2).sum(axis=1) + radian**2 * (turns**2).sum(axis=1)
     share = (offset * along).sum(axis=1) + radian**2 * (leans * turns).sum(axis=1)
     share = np.clip(share / np.maximum(length, 1e-30), 0.0, 1.0)[:, None]
-    rotations = start @ Rotation.from_rotvec(share * turn).as_matrix()
+    rotations = start @ rotations_of(share * turn)
     return np.linalg.norm(offset - share * along, axis=1), _angles(poses[:, :3, :3], rotations, free)
 
 
 def _on_pieces(poses: Array, begins: Array, ends: Array, free: FreeMotion) -> tuple[Array, Array, Array, Array]:
     """The rotations at the beginning of pieces, what counts of their ways and of the offsets of poses, and their turns."""
-    from scipy.spatial.transform import Rotation
-
     start = begins[:, :3, :3]
     along, offset = ends[:, :3, 3] - begins[:, :3, 3], poses[:, :3, 3] - begins[:, :3, 3]
-    turn = Rotation.from_matrix(np.swapaxes(start, 1, 2) @ ends[:, :3, :3]).as_rotvec()
+    turn = rotation_vectors(np.swapaxes(start, 1, 2) @ ends[:, :3, :3])
     if free.in_tool:  # the directions of free shifts turn along the piece
         along = along + np.cross((start @ turn[:, :, None])[:, :, 0], offset)
     return start, free.offsets(along, start), free.offsets(offset, start), turn

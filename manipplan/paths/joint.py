@@ -1,8 +1,6 @@
 """JointPath: a curve q(s), s in [0, 1], through joint space, as pieces in Bernstein form.
 
-Evaluation of curves in Bernstein form: by the compiled `curves.c`, otherwise by NumPy, with the same numbers.
-
-Rounding of the corners of a path through waypoints; the path stays collision-free.
+Curves are evaluated by the compiled `curves.c`, otherwise by NumPy, with the same numbers.
 """
 
 import ctypes
@@ -415,11 +413,8 @@ def rounded(waypoints: Array, is_free: Callable[[JointPath], bool]) -> JointPath
     """A path of straight pieces and rounded corners, twice continuously differentiable in its arc length.
 
     Every corner starts as wide as its edges allow and is halved until `is_free` accepts it with its two edges. A corner
-    that cannot even be rounded over `LEAST` stays sharp; the arm will stop there.
-
-    Args:
-        waypoints: (k, n), whose straight pieces `is_free` accepts.
-        is_free: whether a path may be used.
+    that cannot even be rounded over `LEAST` stays sharp; the arm will stop there. `is_free` accepts the straight pieces between
+    the waypoints (k, n).
     """
     if len(waypoints) == 2:
         return JointPath.through(waypoints)

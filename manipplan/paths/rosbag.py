@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from manipplan.paths.export import nanoseconds_of, ros_time, with_velocities
-from manipplan.paths.trajectory import Trajectory
+from manipplan.paths.trajectory import Trajectory, nanoseconds_of, ros_time, with_velocities
 from manipplan.support.checks import Array, number, one_of
 from manipplan.support.errors import FileFormatError, InvalidInputError, ManipplanError, MissingExtraError, UnknownNameError
 

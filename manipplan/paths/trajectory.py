@@ -1,21 +1,45 @@
-"""Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity.
+"""Trajectory: motion q(t) in time, piecewise cubic through samples of position and velocity, also in files.
 
 Jumps of a full turn between the samples of a motion, where the positions of a joint were reported in (-π, π].
 """
 
+import csv
+import io
+import json
 import logging
-from collections.abc import Callable, Mapping, Sequence
+import tokenize
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import yaml
 from numpy.typing import NDArray
 
 from manipplan.paths.joint import MOST_ORDER, JointPath
+from manipplan.paths.table import Table
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, distinct_names, finite_array, number, number_array, texts, whole_number
+from manipplan.support.checks import (
+    Array,
+    ArrayLike,
+    distinct_names,
+    existing_file,
+    finite_array,
+    number,
+    number_array,
+    one_of,
+    text,
+    texts,
+    whole_number,
+)
+from manipplan.support.data_files import read_json, read_yaml
 from manipplan.support.display import Pictured, one_line
-from manipplan.support.errors import InvalidInputError, UnknownNameError
+from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
+from manipplan.support.files import write_bytes, write_text
 from manipplan.support.memo import content_key
 
 log = logging.getLogger("manipplan")
@@ -23,6 +47,15 @@ log = logging.getLogger("manipplan")
 #: Shortest time between samples [s], and largest time [s], position [rad or m] and velocity [rad/s or m/s]: beyond these the
 #: coefficients of the cubics overflow.
 SHORTEST, LARGEST = 1e-12, 1e12
+FORMAT = "manipplan-trajectory"
+VERSION = 1
+#: Maximum duration [s]: ROS counts seconds in 32 bits, and the first message of a bag is stamped 1 s.
+LONGEST = 2**31 - 2
+#: Maximum size of an unpacked NumPy archive [bytes].
+LARGEST_NPZ = 2**27
+#: Keys of a JointTrajectory, and of its points.
+ROS_KEYS = ("header", "joint_names", "points")
+POINT_KEYS = ("positions", "velocities", "accelerations", "effort", "time_from_start")
 
 
 @one_line
@@ -145,34 +178,47 @@ class Trajectory(Pictured):
         return Trajectory(t=t, q=self.q, qd=self.qd / factor, joint_names=self.joint_names)
 
     def to_csv(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
-        """Write time, positions and velocities of all samples as CSV; see `manipplan.paths.export`.
+        """Write one row per sample as CSV: time [s], q_<joint> [rad or m], qd_<joint>, qdd_<joint>; all digits.
 
         `joint_names`: the controller's names of the joints, as in `named`.
         """
-        from manipplan.paths import export
-
-        export.to_csv(self.named(joint_names), file)
+        names = self.named(joint_names).joint_names
+        out = io.StringIO()
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(["time", *(f"{kind}_{name}" for kind in ("q", "qd", "qdd") for name in names)])
+        rows = np.column_stack([self.t, self.q, self.qd, self(self.t, 2)])
+        writer.writerows([[repr(float(value)) for value in row] for row in rows])
+        write_text(file, out.getvalue())
 
     def to_json(self, file: str | Path) -> None:
-        """Write the samples as JSON."""
-        from manipplan.paths import export
-
-        export.to_json(self, file)
+        """Write the samples as JSON: an object with format, version, joint_names, time, position and velocity."""
+        data = {
+            "format": FORMAT,
+            "version": VERSION,
+            "joint_names": list(self.joint_names),
+            "time": self.t.tolist(),
+            "position": self.q.tolist(),
+            "velocity": self.qd.tolist(),
+        }
+        write_text(file, json.dumps(data) + "\n")
 
     def to_ros(self, file: str | Path, *, joint_names: Sequence[str] | None = None) -> None:
-        """Write a ROS trajectory_msgs/JointTrajectory in YAML.
+        """Write a ROS trajectory_msgs/JointTrajectory in YAML; its stamp is zero, which means "start immediately".
 
         `joint_names`: the controller's names of the joints, as in `named`.
         """
-        from manipplan.paths import export
-
-        export.to_ros(self.named(joint_names), file)
+        times = [ros_time(nanoseconds) for nanoseconds in nanoseconds_of(self)]
+        columns = [each.tolist() for each in (self.q, self.qd, self(self.t, 2))]
+        points = [dict(zip(POINT_KEYS, (*row, [], time), strict=True)) for *row, time in zip(*columns, times, strict=True)]
+        header = {"stamp": ros_time(0), "frame_id": ""}
+        message = {"header": header, "joint_names": list(self.named(joint_names).joint_names), "points": points}
+        dumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+        write_text(file, yaml.dump(message, Dumper=dumper, sort_keys=False, default_flow_style=None, width=1000))
 
     def to_npz(self, file: str | Path) -> None:
-        """Write the samples as a NumPy archive."""
-        from manipplan.paths import export
-
-        export.to_npz(self, file)
+        """Write a NumPy archive with t, q, qd and joint_names."""
+        names = np.array(self.joint_names)
+        write_bytes(file, lambda stream: np.savez(stream, t=self.t, q=self.q, qd=self.qd, joint_names=names))
 
     def to_urscript(
         self,
@@ -272,7 +318,8 @@ class Trajectory(Pictured):
 
         Args:
             file: its first line names the columns: `time` or `t` [s], `q_<joint>` [rad or m], and `qd_<joint>` for all joints
-                or none. Without velocities they come from the cubic spline through the positions.
+                or none. Without velocities they come from the cubic spline through the positions. Times count from that of the
+                first row.
             joints: names to read, in this order, such as `robot.joint_names`; their columns may lack the `q_`. Default: those
                 of `columns`, or all `q_<joint>` columns, in their order.
             columns: the column of the file for each joint, and for "time", where it has another name:
@@ -280,32 +327,189 @@ class Trajectory(Pictured):
             degrees: whether angles are in degrees; or the names of the joints whose are, where others are slides.
 
         Raises FileFormatError, which names the column or the row that is wrong: one that has more or fewer cells than the
-        first, or a cell that is not a finite number.
+        first, a cell that is not a finite number, or a time that is not after the one before.
         """
-        from manipplan.paths import export
+        path = existing_file("file", file)
+        wanted = "a CSV with columns time, q_<joint>... (qd_<joint>... and others may follow, in any order)"
+        if columns is not None and not isinstance(columns, Mapping):
+            raise InvalidInputError("columns", columns, 'a mapping from names of joints, and "time", to columns of the file')
+        where = {text("columns", key): text(f"columns[{key!r}]", column) for key, column in (columns or {}).items()}
+        chosen = None if joints is None else texts("joints", joints)
+        table = Table.read(path)
+        names = chosen or tuple(name for name in where if name != "time") or _joints_of(table, wanted)
+        for name in where:
+            one_of("columns", name, ("time", *names))
+        scaled = names if degrees is True else () if degrees is False else texts("degrees", degrees)
+        for name in scaled:
+            one_of("degrees", name, names)
 
-        return export.from_csv(file, joints=joints, columns=columns, degrees=degrees)
+        def named(name: str) -> tuple[str, ...]:
+            return (where[name],) if name in where else (f"q_{name}", name) if joints is not None else (f"q_{name}",)
+
+        positions = [table.column(named(name), wanted) for name in names]
+        has_speeds = any(f"qd_{name}" in table.header for name in names)
+        velocities = [table.column((f"qd_{name}",), wanted) for name in names] if has_speeds else []
+        time = table.column((where["time"],) if "time" in where else ("time", "t"), wanted)
+        if len(table.rows) < 2:
+            raise FileFormatError("file", f"{path} with {len(table.rows)} rows of numbers", "at least two")
+        data = table.numbers([time, *positions, *velocities])
+        for k in np.flatnonzero(np.diff(data[:, 0]) <= 0).tolist():
+            later = f"a time after that of row {table.rows[k][0]}, {float(data[k, 0])!r} s"
+            raise FileFormatError("file", f"{table.name_cell(k + 1, time)}: {table.rows[k + 1][1][time]}", later)
+        scale = np.where(np.isin(names, scaled), np.pi / 180, 1.0)
+        q = data[:, 1 : 1 + len(names)] * scale
+        qd = data[:, 1 + len(names) :] * scale if velocities else None
+        with _reading(path, wanted):
+            return with_velocities(data[:, 0] - data[0, 0], q, qd, names)
 
     @classmethod
     def from_json(cls, file: str | Path) -> "Trajectory":
-        """Read what `to_json` wrote."""
-        from manipplan.paths import export
-
-        return export.from_json(file)
+        """Read what `to_json` wrote. Raises FileFormatError for another format or version."""
+        path = existing_file("file", file)
+        wanted = f"a JSON object with format {FORMAT!r} and version {VERSION}"
+        with _reading(path, wanted):
+            data = read_json("file", path)
+            if not isinstance(data, dict) or (data.get("format"), data.get("version")) != (FORMAT, VERSION):
+                raise FileFormatError("file", str(path), wanted)
+            for key in data:
+                one_of("key", key, ("format", "version", "joint_names", "time", "position", "velocity"))
+            return cls(t=data["time"], q=data["position"], qd=data["velocity"], joint_names=data["joint_names"])
 
     @classmethod
     def from_ros(cls, file: str | Path) -> "Trajectory":
-        """Read a JointTrajectory in YAML; velocities that it lacks come from the cubic spline through the positions."""
-        from manipplan.paths import export
+        """Read a JointTrajectory in YAML; velocities that it lacks come from the cubic spline through the positions.
 
-        return export.from_ros(file)
+        Raises FileFormatError when names, positions or times are missing, or a key is none of the message's.
+        """
+        path = existing_file("file", file)
+        wanted = "a JointTrajectory in YAML: joint_names and points with positions and time_from_start"
+        with _reading(path, wanted):
+            message = read_yaml("file", path)
+            if not isinstance(message, Mapping) or not isinstance(message.get("points"), list):
+                raise FileFormatError("file", str(path), wanted)
+            for key in message:
+                one_of("key", key, ROS_KEYS)
+            points, names = message["points"], texts("joint_names", message.get("joint_names"))
+            for k, point in enumerate(points):
+                if not isinstance(point, Mapping) or not {"positions", "time_from_start"} <= set(point):
+                    raise InvalidInputError(f"points[{k}]", point, "a mapping with positions and time_from_start")
+                for key in point:
+                    one_of(f"points[{k}]", key, POINT_KEYS)
+            timed = [bool(point.get("velocities")) for point in points]  # [] where there are none, as in ROS
+            if any(timed) and not all(timed):
+                k = timed.index(False)
+                raise InvalidInputError(
+                    f"points[{k}].velocities", points[k].get("velocities"), "velocities in all points or in none"
+                )
+            t = np.array([_seconds(point["time_from_start"]) for point in points])
+            qd = [point["velocities"] for point in points] if any(timed) else None
+            return with_velocities(t, [point["positions"] for point in points], qd, names)
 
     @classmethod
     def from_npz(cls, file: str | Path) -> "Trajectory":
-        """Read what `to_npz` wrote."""
-        from manipplan.paths import export
+        """Read what `to_npz` wrote. Raises FileFormatError for another archive, or one of more than 2^27 bytes unpacked."""
+        path = existing_file("file", file)
+        wanted = "a NumPy archive with t, q, qd and joint_names"
+        with _reading(path, wanted):
+            with zipfile.ZipFile(path) as archive:
+                size = sum(each.file_size for each in archive.infolist())
+            if size > LARGEST_NPZ:
+                raise FileFormatError(
+                    "file", f"{path} with {size:,} bytes of numbers", f"{wanted}, of at most {LARGEST_NPZ:,} bytes"
+                )
+            with np.load(path, allow_pickle=False) as data:
+                return cls(t=data["t"], q=data["q"], qd=data["qd"], joint_names=tuple(data["joint_names"].tolist()))
 
-        return export.from_npz(file)
+
+def with_velocities(t: Array, q: Any, qd: Any, joint_names: tuple[str, ...]) -> Trajectory:
+    """The trajectory of samples; velocities that are not given come from the cubic spline through the positions."""
+    if qd is not None:
+        return Trajectory(t=t, q=q, qd=qd, joint_names=joint_names)
+    from scipy.interpolate import CubicSpline
+
+    still = Trajectory(t=t, q=q, qd=np.zeros(np.shape(q)), joint_names=joint_names)  # checks times and positions
+    return replace(still, qd=CubicSpline(still.t, still.q)(still.t, 1))
+
+
+def _joints_of(table: Table, wanted: str) -> tuple[str, ...]:
+    """The joints that have a column of positions."""
+    names = tuple(column.removeprefix("q_") for column in table.header if column.startswith("q_"))
+    if not names or not all(names):
+        raise FileFormatError("file", f"{table.path} with the first line {','.join(table.header)}", wanted)
+    return names
+
+
+def nanoseconds_of(trajectory: Trajectory) -> list[int]:
+    """The sample times in whole nanoseconds, as ROS stores them.
+
+    Raises InvalidInputError when two of them become equal, or when they are too large for ROS.
+    """
+    if trajectory.duration > LONGEST:
+        raise InvalidInputError("trajectory.t", trajectory.duration, f"times up to {LONGEST} s: ROS counts seconds in 32 bits")
+    stamps = [round(t * 1e9) for t in trajectory.t.tolist()]
+    for before, after, t in zip(stamps, stamps[1:], trajectory.t[1:].tolist(), strict=False):
+        if after <= before:
+            raise InvalidInputError("trajectory.t", t, "times that differ after ROS's rounding to whole nanoseconds")
+    return stamps
+
+
+def ros_time(nanoseconds: int) -> dict[str, int]:
+    """The fields of ROS's Time and Duration."""
+    return {"sec": nanoseconds // 10**9, "nanosec": nanoseconds % 10**9}
+
+
+def _seconds(stamp: Mapping[str, Any]) -> float:
+    """ROS's Duration in seconds."""
+    sec = whole_number("time_from_start.sec", stamp["sec"], least=0, most=2**31 - 1)
+    nanosec = whole_number("time_from_start.nanosec", stamp["nanosec"], least=0, most=10**9 - 1)
+    return (sec * 10**9 + nanosec) / 1e9
+
+
+@contextmanager
+def _reading(path: Path, wanted: str) -> Iterator[None]:
+    """An exception of the libraries that read a file becomes a FileFormatError."""
+    try:
+        yield
+    except FileFormatError:
+        raise
+    except InvalidInputError as error:
+        raise FileFormatError("file", str(path), f"{wanted}; {error}") from error
+    except (
+        ArithmeticError,
+        AttributeError,
+        EOFError,
+        LookupError,
+        MemoryError,
+        OSError,
+        RuntimeError,  # an encrypted archive, an unknown compression, nesting that is too deep
+        SyntaxError,  # a damaged array header, or a zero byte in it
+        TypeError,
+        ValueError,
+        csv.Error,
+        tokenize.TokenError,
+        zipfile.BadZipFile,
+        zlib.error,
+    ) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:160]
+        raise FileFormatError("file", str(path), f"{wanted} ({reason})") from error
+
+
+#: Readers of trajectory files, by file extension.
+READERS = {
+    ".csv": Trajectory.from_csv,
+    ".json": Trajectory.from_json,
+    ".yaml": Trajectory.from_ros,
+    ".yml": Trajectory.from_ros,
+    ".npz": Trajectory.from_npz,
+}
+
+
+def read_trajectory(argument: str, file: str | Path) -> Trajectory:
+    """Read a trajectory file by its extension. Raises FileFormatError for another extension, and as its reader does."""
+    read = READERS.get(Path(file).suffix.lower())
+    if read is None:
+        raise FileFormatError(argument, str(file), f"a trajectory file: {', '.join(READERS)}")
+    return read(file)
 
 
 def _finite_samples(argument: str, value: ArrayLike, shape: tuple[int | None, ...], names: Sequence[str] = ()) -> Array:
@@ -345,8 +549,8 @@ def unwrapped(
     cubic spline through the positions as driven.
 
     Args:
-        robot: the arm, whose joints are the columns of the motion.
-        motion: the samples.
+        robot: its joints are the columns of the motion.
+        motion: as recorded.
         describe: name and value of a position, by its row and joint, for messages.
         fastest: multiple of its largest speed beyond which a joint cannot move; where it has no such limit, the largest speed
             between the other samples counts.

@@ -100,8 +100,7 @@ def two_link_postures(arm: PlanarArm, position: ArrayLike) -> Array:
     θ_1 is in (-π, π]; θ_2 is in [0, π] in the first row and negated in the second. Where l_1 = l_2 and the position is the
     base, θ_1 is free and the only row has θ_1 = 0. Raises InvalidInputError for an arm that does not have two links.
     """
-    instance("arm", arm, PlanarArm)
-    _links("arm", arm, 2)
+    check_links(arm, 2, 2)
     target = finite_array("position", position, (2,))
     return two_links(float(arm.lengths[0]), float(arm.lengths[1]), target)
 
@@ -113,8 +112,7 @@ def pose_postures(arm: PlanarArm, position: ArrayLike, orientation: float) -> Ar
     All angles are in (-π, π]. Where the third joint is at the base, θ_1 is free and the only row has θ_1 = 0. Raises
     InvalidInputError for an arm that does not have three links.
     """
-    instance("arm", arm, PlanarArm)
-    _links("arm", arm, 3)
+    check_links(arm, 3, 3)
     target = finite_array("position", position, (2,))
     return _with_orientation(arm, target, number("orientation", orientation))
 
@@ -147,8 +145,7 @@ def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
 
     Raises InvalidInputError for an arm that does not have three links.
     """
-    instance("arm", arm, PlanarArm)
-    _links("arm", arm, 3)
+    check_links(arm, 3, 3)
     target = finite_array("position", position, (2,))
     return PostureFamily(arm=arm, position=target, orientations=_orientations(arm, target))
 
@@ -156,19 +153,35 @@ def position_family(arm: PlanarArm, position: ArrayLike) -> PostureFamily:
 def two_links(first: float, second: float, target: Array) -> Array:
     """`two_link_postures` for lengths already checked; a link may also be several links held rigidly."""
     distance = float(np.hypot(*target))
-    total = first + second
-    if abs(first - second) > distance + GRAZE * total or distance > total * (1 + GRAZE):
+    found = elbow_between(first, second, distance)
+    if found is None:
         return np.zeros((0, 2))
-    if distance <= GRAZE * total:  # folded back onto the base
+    if distance <= GRAZE * (first + second):  # folded back onto the base
         return np.array([[0.0, np.pi]])
-    # Half-angle form of the law of cosines: accurate even where the arm is nearly stretched or folded.
-    near = max((distance - (first - second)) * (distance + (first - second)), 0.0)
-    far = max((total - distance) * (total + distance), 0.0)
-    elbow = 2 * np.arctan2(np.sqrt(far), np.sqrt(near))
+    elbow, is_straight = found
     bend = np.arctan2(second * np.sin(elbow), first + second * np.cos(elbow))
     direction = np.arctan2(target[1], target[0])
     rows = np.array([[direction - bend, elbow], [direction + bend, -elbow]])
-    return wrapped(rows[:1] if min(near, far) <= GRAZE * total**2 else rows)
+    return wrapped(rows[:1] if is_straight else rows)
+
+
+def elbow_between(first: float, second: float, distance: float) -> tuple[float, bool] | None:
+    """The angle from one part to the next, in [0, π], that brings their ends this far apart, and whether they are in line.
+
+    None where they do not reach. Half-angle form of the law of cosines: accurate even near the stretched and the folded arm.
+    """
+    total = first + second
+    if abs(first - second) > distance + GRAZE * total or distance > total * (1 + GRAZE):
+        return None
+    near = max((distance - (first - second)) * (distance + (first - second)), 0.0)
+    far = max((total - distance) * (total + distance), 0.0)
+    return float(2 * np.arctan2(np.sqrt(far), np.sqrt(near))), min(near, far) <= GRAZE * total**2
+
+
+def rigid_part(first: float, second: float, angle: float) -> tuple[float, float]:
+    """Length of two links held at an angle, and its direction relative to the first."""
+    x, y = first + second * np.cos(angle), second * np.sin(angle)
+    return float(np.hypot(x, y)), float(np.arctan2(y, x))
 
 
 def wrapped(angles: ArrayLike) -> Array:
@@ -208,6 +221,8 @@ def _orientations(arm: PlanarArm, target: Array) -> tuple[tuple[float, float], .
     return ((alpha - end, alpha - begin), (alpha + begin, alpha + end))
 
 
-def _links(argument: str, arm: PlanarArm, n: int) -> None:
-    if not isinstance(arm, PlanarArm) or arm.n != n:
-        raise InvalidInputError(argument, arm, f"a PlanarArm with {n} links")
+def check_links(arm: PlanarArm, least: int, most: int) -> None:
+    """Raise InvalidInputError for anything but a planar arm with a number of links in this range."""
+    if not least <= instance("arm", arm, PlanarArm).n <= most:
+        count = str(most) if least == most else f"two to {most}"
+        raise InvalidInputError("arm", arm, f"a PlanarArm with {count} links")

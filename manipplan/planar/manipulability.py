@@ -29,7 +29,6 @@ def squared_manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
 
     (5.2) in kth2012 is this for unit links, with two misprints: the constant must be 5/2 and the 2θ_3 term -cos 2θ_3.
     """
-    instance("arm", arm, PlanarArm)
     return np.asarray((minors(arm, q) ** 2).sum(axis=(-2, -1)) / 2)
 
 
@@ -52,7 +51,6 @@ def squared_manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
 
 def manipulability(arm: PlanarArm, q: ArrayLike) -> Array:
     """The manipulability measure μ = sqrt(det(J Jᵀ)), (...,) [m²], at q (..., n); (2.19) in kth2012."""
-    instance("arm", arm, PlanarArm)
     return np.asarray(np.sqrt(squared_manipulability(arm, q)))
 
 
@@ -61,13 +59,11 @@ def manipulability_gradient(arm: PlanarArm, q: ArrayLike) -> Array:
 
     Raises InvalidInputError at a singular posture, where μ has a kink. `squared_manipulability_gradient` exists everywhere.
     """
-    instance("arm", arm, PlanarArm)
     return np.asarray(squared_manipulability_gradient(arm, q) / (2 * _regular(arm, q)[..., None]))
 
 
 def manipulability_hessian(arm: PlanarArm, q: ArrayLike) -> Array:
     """∇²μ = (∇²μ² / 2 - ∇μ ∇μᵀ) / μ, (..., n, n) [m²], at q (..., n). Raises like `manipulability_gradient`."""
-    instance("arm", arm, PlanarArm)
     m = _regular(arm, q)
     slope = manipulability_gradient(arm, q)
     bend = squared_manipulability_hessian(arm, q) / 2 - slope[..., :, None] * slope[..., None, :]
@@ -148,7 +144,6 @@ def singular_postures(arm: PlanarArm) -> Array:
 
 def singular_radii(arm: PlanarArm) -> Array:
     """Distances of the tool from the base at `singular_postures`, (2^(n-1),) [m]: abs(l_1 ± l_2 ± ... ± l_n)."""
-    instance("arm", arm, PlanarArm)
     signs = np.cumprod(np.cos(singular_postures(arm)), axis=-1)
     return np.abs(np.round(signs) @ arm.lengths)
 

@@ -19,24 +19,21 @@ theorem, are all solutions except u = 0, a special case: l_2 = l_3 fold the tool
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
+from numpy.polynomial.polynomial import polyder, polyval
 from numpy.typing import NDArray
 
-from manipplan.planar.arm import PlanarArm, wrapped
+from manipplan.planar.arm import PlanarArm, check_links, elbow_between, rigid_part, wrapped
 from manipplan.planar.manipulability import inverse_condition, manipulability, squared_manipulability_hessian
 from manipplan.planar.workspace import AngleLimits, reachable_radii
 from manipplan.planar.zeros import (
     Polynomial,
     TrigonometricPolynomial,
-    add,
-    derivative,
-    evaluate,
     multiply,
     real_roots,
-    scale,
     squared_manipulability_series,
     torus_zeros,
 )
@@ -61,15 +58,16 @@ def fixed_radius_postures(arm: PlanarArm, radius: float) -> Array:
     least, most = max((l1 - root) ** 2, (l2 - l3) ** 2), min((l1 + root) ** 2, (l2 + l3) ** 2)
     if least > most:
         return np.zeros((0, 2))
-    h1 = [-((l1**2 - v) ** 2), 2 * (l1**2 + v), Fraction(-1)]
-    h2 = [4 * l2**2 * l3**2 - (l2**2 + l3**2) ** 2, 2 * (l2**2 + l3**2), Fraction(-1)]
+    h1 = np.array([-((l1**2 - v) ** 2), 2 * (l1**2 + v), Fraction(-1)])
+    h2 = np.array([4 * l2**2 * l3**2 - (l2**2 + l3**2) ** 2, 2 * (l2**2 + l3**2), Fraction(-1)])
     a, b = [v - l1**2, Fraction(1)], [l3**2 - l2**2, Fraction(1)]
     h, ab, u = multiply(h1, h2), multiply(a, b), [Fraction(0), Fraction(1)]
-    e = add(scale(4, multiply(u, u, add(h1, h2))), multiply(a, a, h2), multiply(b, b, h1))
-    n1 = add(multiply(u, derivative(e)), scale(-2, e))
-    n2 = add(scale(2, multiply(u, derivative(ab), h)), multiply(u, ab, derivative(h)), scale(-4, multiply(ab, h)))
+    # no leading coefficient vanishes, so sums are of arrays of one length
+    e = 4 * multiply(u, u, h1 + h2) + multiply(a, a, h2) + multiply(b, b, h1)
+    n1 = multiply(u, polyder(e)) - 2 * e
+    n2 = 2 * multiply(u, polyder(ab), h) + multiply(u, ab, polyder(h)) - 4 * multiply(ab, h)
     rows = []
-    for square in real_roots(add(multiply(n1, n1, h), scale(-1, multiply(n2, n2))), least, most):
+    for square in real_roots(multiply(n1, n1, h) - multiply(n2, n2), least, most):
         if square:
             areas = _root_of(h1, square), _root_of(h2, square)
             for sign in _signs(n1, n2, square):
@@ -94,12 +92,12 @@ def snapped(lengths: list[Fraction], radius: Fraction) -> Fraction:
 
 def _root_of(h: Polynomial, u: Fraction) -> float:
     """sqrt(H(u)); zero where a root u, known to 2⁻¹²⁰, makes H slightly negative."""
-    return math.sqrt(max(evaluate(h, u), Fraction(0)))
+    return math.sqrt(max(float(polyval(u, h)), 0.0))
 
 
 def _signs(n1: Polynomial, n2: Polynomial, u: Fraction) -> tuple[int, ...]:
     """The signs s for which N_1 sqrt(H) + s N_2 = 0, given that the squares of the two terms agree."""
-    first, second = evaluate(n1, u), evaluate(n2, u)
+    first, second = polyval(u, n1), polyval(u, n2)
     if abs(second) <= _ZERO * sum(abs(c) * u**i for i, c in enumerate(n2)):
         return (1, -1)
     return (-1,) if first * second > 0 else (1,)
@@ -163,15 +161,8 @@ class PostureSet:
     def best(self) -> "PostureSet":
         """The rows with the largest μ: the optimal posture, its mirror image, and others that are equally good."""
         rows = self.manipulability >= self.manipulability[0] * (1 - TIE)
-        return PostureSet(
-            q=self.q[rows],
-            manipulability=self.manipulability[rows],
-            radius=self.radius[rows],
-            inverse_condition=self.inverse_condition[rows],
-            on_limit=self.on_limit[rows],
-            complete=self.complete,
-            bound=self.bound,
-        )
+        arrays = ("q", "manipulability", "radius", "inverse_condition", "on_limit")
+        return replace(self, **{name: getattr(self, name)[rows] for name in arrays})
 
 
 def stationary_postures(
@@ -195,13 +186,12 @@ def stationary_postures(
         InvalidInputError: too many links; a radius that is negative or cannot be reached within the limits; limits of a wrong
             shape or order.
     """
-    instance("arm", arm, PlanarArm)
-    _check(arm, MOST_LINKS)
+    check_links(arm, 2, MOST_LINKS)
     limits = AngleLimits.of(lower, upper, arm.n)
     if radius is None:
         bent, held, complete, bound = _free(arm, limits)
     else:
-        _check(arm, 3)
+        check_links(arm, 2, 3)
         radius = number("radius", radius, least=0.0)
         bent, held = _at_radius(arm, limits, radius if radius > NO_RADIUS * float(arm.lengths.sum()) else 0.0)
         complete, bound = True, 0.0
@@ -228,14 +218,12 @@ def stationary_postures(
 
 def optimal_radius(arm: PlanarArm, *, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> float:
     """The distance from the base [m] at which μ is largest; section 5.3 in kth2012. Raises like `stationary_postures`."""
-    instance("arm", arm, PlanarArm)
     return float(stationary_postures(arm, lower=lower, upper=upper).best.radius[0])
 
 
 def stationary_kind(arm: PlanarArm, q: ArrayLike) -> str:
     """Kind of a stationary posture q (n,) without limits, by ∇²μ²: "maximum", "minimum", "saddle" or "degenerate"."""
     instance("arm", arm, PlanarArm)
-    _check(arm, None)
     posture = configurations("q", q, arm.n)
     if posture.ndim != 1:
         raise InvalidInputError("q", posture.tolist(), f"one posture, shape ({arm.n},)")
@@ -290,17 +278,15 @@ def _at_radius(arm: PlanarArm, limits: AngleLimits, radius: float) -> tuple[Arra
         bent = np.array([[angle] for angle in elbow]).reshape(-1, 1)
         return bent, np.zeros(bent.shape, dtype=bool)
     l1, l2, l3 = (float(length) for length in arm.lengths)
-    inside = fixed_radius_postures(arm, radius)
-    rows, held = list(inside), [(False, False)] * len(inside)
+    rows = [(*row, False, False) for row in fixed_radius_postures(arm, radius)]
     for second in _ends(limits, 1):  # links 1 and 2 are one rigid part
-        part, offset = _rigid(l1, l2, second)
-        found = [(second, bend + offset - second) for bend in _bends(part, l3, radius)]
-        rows, held = rows + [np.array(row) for row in found], held + [(True, False)] * len(found)
+        part, offset = rigid_part(l1, l2, second)
+        rows += [(second, bend + offset - second, True, False) for bend in _bends(part, l3, radius)]
     for third in _ends(limits, 2):  # links 2 and 3 are one rigid part
-        part, offset = _rigid(l2, l3, third)
-        found = [(bend - offset, third) for bend in _bends(l1, part, radius)]
-        rows, held = rows + [np.array(row) for row in found], held + [(False, True)] * len(found)
-    return np.array(rows).reshape(-1, 2), np.array(held, dtype=bool).reshape(-1, 2)
+        part, offset = rigid_part(l2, l3, third)
+        rows += [(bend - offset, third, False, True) for bend in _bends(l1, part, radius)]
+    table = np.array(rows, dtype=np.float64).reshape(-1, 4)
+    return table[:, :2], table[:, 2:] > 0
 
 
 def _ends(limits: AngleLimits, joint: int) -> tuple[float, ...]:
@@ -309,24 +295,10 @@ def _ends(limits: AngleLimits, joint: int) -> tuple[float, ...]:
     return tuple({float(limits.lower[joint]): None, float(limits.upper[joint]): None})
 
 
-def _rigid(first: float, second: float, angle: float) -> tuple[float, float]:
-    """Length of two links held at an angle, and its direction relative to the first."""
-    x, y = first + second * np.cos(angle), second * np.sin(angle)
-    return float(np.hypot(x, y)), float(np.arctan2(y, x))
-
-
 def _bends(first: float, second: float, radius: float) -> tuple[float, ...]:
     """The angles between two parts at which their ends are `radius` apart."""
-    total = first + second
-    if not abs(first - second) - 1e-12 * total <= radius <= total * (1 + 1e-12):
+    found = elbow_between(first, second, radius)
+    if found is None:
         return ()
-    near = max((radius - (first - second)) * (radius + (first - second)), 0.0)
-    far = max((total - radius) * (total + radius), 0.0)
-    bend = float(2 * np.arctan2(np.sqrt(far), np.sqrt(near)))
+    bend, _ = found
     return (bend, -bend) if 0 < bend < np.pi else (bend,)
-
-
-def _check(arm: PlanarArm, most: int | None) -> None:
-    if not isinstance(arm, PlanarArm) or (most is not None and arm.n > most):
-        wanted = "a PlanarArm" if most is None else f"a PlanarArm with two to {most} links"
-        raise InvalidInputError("arm", arm, wanted)

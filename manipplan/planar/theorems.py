@@ -22,13 +22,7 @@ from manipplan.support.errors import InvalidInputError
 
 @dataclass(frozen=True, kw_only=True)
 class Theorem:
-    """A result proven for arms with n links of any lengths and in any posture.
-
-    Attributes:
-        name: name in kth2012.
-        n: number of links.
-        steps: (identity, whether it holds) per step.
-    """
+    """A result of kth2012 for n links of any lengths in any posture; `steps`: identities, and whether each holds."""
 
     name: str
     n: int

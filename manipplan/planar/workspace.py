@@ -7,11 +7,21 @@ Positions and orientations that a two- or three-link arm reaches within joint li
 
 import itertools
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from manipplan.planar.arm import GRAZE, PlanarArm, position_family, two_link_postures, two_links, wrapped
+from manipplan.planar.arm import (
+    GRAZE,
+    PlanarArm,
+    check_links,
+    position_family,
+    rigid_part,
+    two_link_postures,
+    two_links,
+    wrapped,
+)
 from manipplan.support.checks import Array, ArrayLike, configurations, instance, number_array
 from manipplan.support.errors import InvalidInputError
 
@@ -21,12 +31,7 @@ ON_LIMIT = 1e-9
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AngleLimits:
-    """lower <= θ <= upper for each joint; a range of 2π or more is no limit.
-
-    Attributes:
-        lower: (n,) [rad], -inf where there is none.
-        upper: (n,) [rad], inf where there is none.
-    """
+    """lower <= θ <= upper (n,) [rad], -inf and inf where there is none; a range of 2π or more is no limit."""
 
     lower: Array
     upper: Array
@@ -110,8 +115,7 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
 
     Raises InvalidInputError for more links, or limits of a wrong shape or order.
     """
-    instance("arm", arm, PlanarArm)
-    check_few_links(arm)
+    check_links(arm, 2, 3)
     if arm.n == 2:
         limits, rows = AngleLimits.of(lower, upper, 2), two_link_postures(arm, position)
         if len(rows) and np.hypot(*np.asarray(position)) <= GRAZE * arm.lengths.sum():  # folded: θ_1 is free
@@ -122,14 +126,7 @@ def is_reachable(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = 
 
 def is_dexterous(arm: PlanarArm, position: ArrayLike, lower: ArrayLike | None = None, upper: ArrayLike | None = None) -> bool:
     """Whether a three-link arm can reach every tool orientation at `position` (2,) [m] within joint limits."""
-    instance("arm", arm, PlanarArm)
     return any(end - begin >= 2 * np.pi for begin, end in reachable_orientations(arm, position, lower, upper))
-
-
-def check_few_links(arm: PlanarArm) -> None:
-    """Raises InvalidInputError for more than three links."""
-    if not isinstance(arm, PlanarArm) or arm.n > 3:
-        raise InvalidInputError("arm", arm, "a PlanarArm with two or three links")
 
 
 def _fold_interval(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[Interval]:
@@ -142,7 +139,7 @@ def _fold_interval(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[I
     low, high = phi - np.pi - limits.upper[2], phi - np.pi - limits.lower[2]
     free = not (limits.bounded[0] and limits.bounded[2])
     turns = 0.0 if free else np.ceil((limits.lower[0] - ON_LIMIT - high) / (2 * np.pi)) * 2 * np.pi
-    straight = AngleLimits(lower=limits.lower[1:2], upper=limits.upper[1:2]).contain([np.pi])
+    straight = np.isfinite(limits.placed(np.full(3, np.pi))[1])
     return [(phi, phi)] if straight and (free or low + turns <= limits.upper[0] + ON_LIMIT) else []
 
 
@@ -153,17 +150,14 @@ def _marks(arm: PlanarArm, target: Array, limits: AngleLimits) -> list[float]:
     marks = [direction, direction + np.pi]
     for joint in np.flatnonzero(limits.bounded):
         for end in (float(limits.lower[joint]), float(limits.upper[joint])):
-            c, s = np.cos(end), np.sin(end)
             if joint == 0:
-                rows = two_links(l2, l3, target - l1 * np.array([c, s]))
+                rows = two_links(l2, l3, target - l1 * np.array([np.cos(end), np.sin(end)]))
                 marks += rows.sum(axis=1).tolist()
-            elif joint == 1:  # links 1 and 2 as one rigid part
-                part = float(np.hypot(l1 + l2 * c, l2 * s))
-                marks += two_links(part, l3, target).sum(axis=1).tolist()
+            elif joint == 1:
+                marks += two_links(rigid_part(l1, l2, end)[0], l3, target).sum(axis=1).tolist()
             else:
-                part, offset = np.hypot(l2 + l3 * c, l3 * s), np.arctan2(l3 * s, l2 + l3 * c)
-                rows = two_links(l1, float(part), target)
-                marks += (rows.sum(axis=1) - offset + end).tolist()
+                part, offset = rigid_part(l2, l3, end)
+                marks += (two_links(l1, part, target).sum(axis=1) - offset + end).tolist()
     return marks
 
 
@@ -191,12 +185,7 @@ BESIDE = 1e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Annulus:
-    """The ring inner <= ‖p‖ <= outer around the base; a disc when inner is 0.
-
-    Attributes:
-        inner: [m].
-        outer: [m].
-    """
+    """The ring inner <= ‖p‖ <= outer [m] around the base; a disc when inner is 0."""
 
     inner: float
     outer: float
@@ -216,8 +205,12 @@ class Annulus:
 def reachable_annulus(arm: PlanarArm) -> Annulus:
     """The reachable workspace W_R (2.5) in kth2012: from max(0, 2 max l - Σ l) to Σ l."""
     instance("arm", arm, PlanarArm)
-    total = math.fsum(arm.lengths)
-    return Annulus(inner=max(0.0, math.fsum([2 * max(arm.lengths), *(-arm.lengths)])), outer=total)
+    return _ring(arm.lengths)
+
+
+def _ring(lengths: Iterable[float]) -> Annulus:
+    lengths = list(lengths)
+    return Annulus(inner=max(0.0, math.fsum([2 * max(lengths), *(-each for each in lengths)])), outer=math.fsum(lengths))
 
 
 def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
@@ -229,24 +222,16 @@ def dexterous_annuli(arm: PlanarArm) -> tuple[Annulus, ...]:
     """
     instance("arm", arm, PlanarArm)
     last, *others = arm.lengths[::-1].tolist()
-    total = math.fsum(others)
-    inner = max(0.0, math.fsum([2 * max(others), *(-x for x in others)]))
-    parts = [(0.0, min(total - last, last - inner)), (last + inner, total - last)]
-    if inner == 0.0:
-        parts = [(0.0, total - last)]  # the two parts touch, or the second is empty
+    ring = _ring(others)
+    parts = [(0.0, min(ring.outer - last, last - ring.inner)), (last + ring.inner, ring.outer - last)]
+    if ring.inner == 0.0:
+        parts = [(0.0, ring.outer - last)]  # the two parts touch, or the second is empty
     return tuple(Annulus(inner=low, outer=high) for low, high in parts if low <= high)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Arc:
-    """A circular arc, counter-clockwise from angle `begin` to `end`.
-
-    Attributes:
-        centre: (2,) [m].
-        radius: [m].
-        begin: [rad].
-        end: [rad], from begin to begin + 2π.
-    """
+    """A circular arc about `centre` (2,) [m], counter-clockwise from angle `begin` to `end`, at most begin + 2π [rad]."""
 
     centre: Array
     radius: float
@@ -293,8 +278,7 @@ def workspace_boundary(arm: PlanarArm, lower: ArrayLike | None = None, upper: Ar
     of it is unreachable. Pieces shorter than 4 `BESIDE` are dropped or joined to their neighbours. Raises InvalidInputError for
     more links, or limits of a wrong shape or order.
     """
-    instance("arm", arm, PlanarArm)
-    check_few_links(arm)
+    check_links(arm, 2, 3)
     arcs = _different(critical_arcs(arm, lower, upper), float(arm.lengths.sum()))
     aside = BESIDE * float(arm.lengths.sum())
     boundary: list[Arc] = []
@@ -338,7 +322,7 @@ def _arc(arm: PlanarArm, limits: AngleLimits, held: Array, joints: list[int], st
         if min(np.hypot(*line), np.hypot(*part)) <= 1e-12 * arm.lengths.sum():
             return None  # coincident joints move the tool like one: arcs with either of them on a limit cover this
         q[joint] += np.arctan2(line[1], line[0]) + turn - np.arctan2(part[1], part[0])
-        placed = AngleLimits(lower=limits.lower[joint : joint + 1], upper=limits.upper[joint : joint + 1]).placed(q[[joint]])[0]
+        placed = limits.placed(q)[joint]
         if np.isnan(placed):
             return None
         q[joint] = placed

@@ -13,10 +13,13 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 from itertools import pairwise
-from math import gcd
+from math import gcd, lcm
 
 import numpy as np
+from numpy.polynomial.polynomial import polyder, polydiv, polymul
+from numpy.typing import NDArray
 
 from manipplan.planar.arm import PlanarArm
 from manipplan.support.checks import LARGEST_ANGLE, Array, ArrayLike, configurations, entries, instance, number, whole_number
@@ -189,14 +192,9 @@ def torus_zeros(system: Sequence[TrigonometricPolynomial]) -> Zeros:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _System:
-    """f_i with common frequencies, and bounds on their second derivatives and rounding errors.
+    """f_i with common frequencies (m, d) and coefficients (m, d), one column per equation.
 
-    Attributes:
-        frequencies: (m, d) vectors k.
-        cosine: (m, d) coefficients, one column per equation.
-        sine: (m, d) coefficients.
-        bends: (d, d, d) bounds on |∂_j ∂_l f_i|.
-        rounding: bounds on the rounding error, (d,) of a value and (d, d) of a slope.
+    Bounds: `bends` (d, d, d) on |∂_j ∂_l f_i|, and `rounding` on the rounding error, (d,) of a value and (d, d) of a slope.
     """
 
     frequencies: Array
@@ -288,16 +286,14 @@ class _System:
 #: Width of the interval that encloses a root: a square root of it keeps 64-bit accuracy.
 WIDTH = Fraction(1, 2**120)
 
-Polynomial = list[Fraction]
+#: Coefficients from the constant term up, each a Fraction, for the functions of `numpy.polynomial.polynomial`.
+Polynomial = NDArray[np.object_]
 
 
-def real_roots(coefficients: Sequence[Fraction], lower: Fraction, upper: Fraction) -> list[Fraction]:
+def real_roots(coefficients: Sequence[Fraction] | Polynomial, lower: Fraction, upper: Fraction) -> list[Fraction]:
     """All real roots in [lower, upper], ascending, each to within 2⁻¹²⁰ and listed once whatever its multiplicity.
 
-    Args:
-        coefficients: from the constant term up; not all zero.
-        lower: start of the interval.
-        upper: end of the interval, at least `lower`.
+    The coefficients, from the constant term up, are not all zero.
     """
     p = _primitive(coefficients)
     if len(p) < 2 or lower > upper:
@@ -316,86 +312,45 @@ def real_roots(coefficients: Sequence[Fraction], lower: Fraction, upper: Fractio
     return sorted(roots)
 
 
-def add(*polynomials: Sequence[Fraction]) -> Polynomial:
-    """The sum."""
-    size = max(len(p) for p in polynomials)
-    return [sum((p[i] for p in polynomials if i < len(p)), Fraction(0)) for i in range(size)]
-
-
-def multiply(*polynomials: Sequence[Fraction]) -> Polynomial:
+def multiply(*polynomials: Sequence[Fraction] | Polynomial) -> Polynomial:
     """The product."""
-    result = [Fraction(1)]
-    for p in polynomials:
-        new = [Fraction(0)] * (len(result) + len(p) - 1)
-        for i, a in enumerate(result):
-            for j, b in enumerate(p):
-                new[i + j] += a * b
-        result = new
-    return result
+    return reduce(polymul, polynomials, np.array([Fraction(1)]))
 
 
-def scale(factor: int, p: Sequence[Fraction]) -> Polynomial:
-    """`factor` times p."""
-    return [factor * a for a in p]
-
-
-def derivative(p: Sequence[Fraction]) -> Polynomial:
-    """p'."""
-    return [i * a for i, a in enumerate(p)][1:] or [Fraction(0)]
-
-
-def evaluate(p: Sequence[Fraction], x: Fraction) -> Fraction:
-    """p(x)."""
-    result = Fraction(0)
-    for a in reversed(p):
-        result = result * x + a
-    return result
-
-
-def _primitive(p: Sequence[Fraction]) -> list[int]:
+def _primitive(p: Sequence[Fraction] | Polynomial) -> list[int]:
     """A positive multiple with integer coefficients that have no common factor, without leading zeros."""
-    coefficients = list(p)
+    coefficients = [Fraction(a) for a in p]
     while coefficients and not coefficients[-1]:
         coefficients.pop()
-    common = 1
-    for a in coefficients:
-        common = common * a.denominator // gcd(common, a.denominator)
+    common = lcm(*(a.denominator for a in coefficients))
     whole = [int(a * common) for a in coefficients]
-    shared = gcd(*whole) if whole else 1
+    shared = gcd(*whole)
     return [a // shared for a in whole]
 
 
-def _remainder(p: list[int], d: list[int]) -> list[int]:
-    """A positive multiple of the remainder of p divided by d."""
-    rest = [Fraction(a) for a in p]
-    while len(rest) >= len(d):
-        factor = rest[-1] / d[-1]
-        shift = len(rest) - len(d)
-        for i, a in enumerate(d):
-            rest[shift + i] -= factor * a
-        rest.pop()
-    return _primitive(rest)
+def _divided(p: list[int], d: list[int]) -> tuple[list[int], list[int]]:
+    """Positive multiples of the quotient and of the remainder of p divided by d."""
+    quotient, remainder = polydiv(*([Fraction(a) for a in each] for each in (p, d)))
+    return _primitive(quotient), _primitive(remainder)
+
+
+def _derivative(p: list[int]) -> list[int]:
+    """A positive multiple of p'."""
+    return _primitive(polyder([Fraction(a) for a in p]))
 
 
 def _square_free(p: list[int]) -> list[int]:
     """p divided by its greatest common divisor with p': the same roots, each simple."""
-    a, b = p, _primitive([Fraction(i * c) for i, c in enumerate(p)][1:])
+    a, b = p, _derivative(p)
     while b:
-        a, b = b, _remainder(a, b)
-    if len(a) == 1:
-        return p
-    rest, quotient = [Fraction(c) for c in p], [Fraction(0)] * (len(p) - len(a) + 1)
-    for shift in reversed(range(len(quotient))):
-        quotient[shift] = rest[shift + len(a) - 1] / a[-1]
-        for i, c in enumerate(a):
-            rest[shift + i] -= quotient[shift] * c
-    return _primitive(quotient)
+        a, b = b, _divided(a, b)[1]
+    return p if len(a) == 1 else _divided(p, a)[0]
 
 
 def _sturm_chain(p: list[int]) -> list[list[int]]:
-    chain = [p, _primitive([Fraction(i * c) for i, c in enumerate(p)][1:])]
+    chain = [p, _derivative(p)]
     while len(chain[-1]) > 1:
-        chain.append([-c for c in _remainder(chain[-2], chain[-1])])
+        chain.append([-c for c in _divided(chain[-2], chain[-1])[1]])
     return chain
 
 

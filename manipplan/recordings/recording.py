@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from manipplan.paths.export import READERS, Table, from_csv, read_trajectory
 from manipplan.paths.joint import JointPath
-from manipplan.paths.trajectory import JUMP, TOO_FAST, Trajectory, unwrapped
+from manipplan.paths.table import Table
+from manipplan.paths.trajectory import JUMP, READERS, TOO_FAST, Trajectory, read_trajectory, unwrapped
 from manipplan.robots.limits import NO_DEGREES, JointLimits, TakenToLimit, limits_missed
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, flag
@@ -50,7 +50,7 @@ def read_motion(
     if columns is not None and entries.csv is None:
         raise InvalidInputError("columns", columns, "None but for a CSV file")
     if isinstance(given, str | Path):
-        given = from_csv(given, joints=joints, columns=columns) if entries.csv else read_trajectory(argument, given)
+        given = Trajectory.from_csv(given, joints=joints, columns=columns) if entries.csv else read_trajectory(argument, given)
     if not isinstance(given, Trajectory):
         raise InvalidInputError(argument, given, f"a Trajectory, or the path of a trajectory file ({', '.join(READERS)})")
     for name in given.joint_names:

@@ -117,6 +117,12 @@ def unit_quaternion(argument: str, value: ArrayLike, order: str) -> Array:
     return np.asarray(quaternion / length)
 
 
+def unit_vector(argument: str, value: ArrayLike) -> Array:
+    """The direction (3,) of `value`, a vector (3,) that is not zero, with length 1."""
+    direction = finite_array(argument, value, (3,))
+    return direction / number(f"the length of {argument}", float(np.linalg.norm(direction)), above=1e-9)
+
+
 def nearest_rotation(matrix: Array) -> tuple[Array, float]:
     """The rotation nearest to a finite matrix (3, 3), and the largest difference of an entry.
 

@@ -21,7 +21,6 @@ import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import TypeVar
@@ -124,16 +123,9 @@ VARIABLES = {"c": "CC", "c++": "CXX"}
 USUAL = {"c": ("cc", "gcc", "clang"), "c++": ("c++", "g++", "clang++")}
 
 
-@dataclass(frozen=True, kw_only=True)
-class Compiler:
-    """A C or C++ compiler that runs: the command that calls it."""
-
-    command: tuple[str, ...]
-
-
 @cache
-def find_compiler(language: str = "c") -> Compiler | None:
-    """The compiler that $CC or $CXX names, with options, otherwise the first usual one on the PATH; None if there is none.
+def find_compiler(language: str = "c") -> tuple[str, ...] | None:
+    """The command that $CC or $CXX names, with options, otherwise the first usual one on the PATH that runs; None for none.
 
     An empty $CC or $CXX means no compiler.
     """
@@ -142,7 +134,7 @@ def find_compiler(language: str = "c") -> Compiler | None:
     for command in _commands(language):
         try:
             _check_runs(command)
-            return Compiler(command=command)
+            return command
         except CompilerError as error:
             broken.append(error.output)
     if os.environ.get(variable):
@@ -196,16 +188,10 @@ def load_library(
 ) -> Loaded:
     """Build the library of `source`, or find it in the cache, and return what `load` returns for it; no time limit counts this.
 
-    Args:
-        source: one file of C or C++.
-        load: takes the library's file; raises OSError, RuntimeError or AttributeError when it is unusable.
-        flags: compiler options, including libraries.
-        language: "c" or "c++".
-        subject: what is built, for messages.
-        announce: show a progress line on stderr during the build.
+    `load` takes the library's file and raises OSError, RuntimeError or AttributeError when it is unusable. The flags include
+    libraries. With `announce` a progress line about the `subject` is shown on stderr during the build.
 
-    Raises:
-        CompilerError: there is no compiler, it fails or hangs, or its library cannot be loaded; the error holds its message.
+    Raises CompilerError, with the compiler's message, where there is none, it fails or hangs, or its library cannot be loaded.
     """
     folder = cache_for(subject)
     stored = load_stored(source, load, flags=flags, language=language, subject=subject)
@@ -216,7 +202,7 @@ def load_library(
         raise CompilerError(subject, _why_none(language))
     for earlier in _given_up(compiler, folder):
         raise CompilerError(subject, earlier.output)
-    file = folder / f"{_key(source, compiler.command, flags)}.so"
+    file = folder / f"{_key(source, compiler, flags)}.so"
     with _announce(subject) if announce else log_when_slow(f"compiling {subject}"):
         _build(file, source, compiler, flags, language, subject)
     try:
@@ -260,25 +246,25 @@ def _why_none(language: str) -> str:
 
 
 @cache
-def _given_up(_compiler: Compiler, _folder: Path) -> list[CompilerError]:
+def _given_up(_compiler: tuple[str, ...], _folder: Path) -> list[CompilerError]:
     """Errors after which this process gives up this compiler and folder: each attempt would take as long and fail again."""
     return []
 
 
-def _give_up(compiler: Compiler, folder: Path, subject: str, reason: str) -> CompilerError:
+def _give_up(compiler: tuple[str, ...], folder: Path, subject: str, reason: str) -> CompilerError:
     error = CompilerError(subject, reason)
     _given_up(compiler, folder).append(error)
     return error
 
 
-def _build(file: Path, source: str, compiler: Compiler, flags: Sequence[str], language: str, subject: str) -> None:
+def _build(file: Path, source: str, compiler: tuple[str, ...], flags: Sequence[str], language: str, subject: str) -> None:
     with place_to_build(file.parent, subject) as place:
         code, library = place / f"source.{'c' if language == 'c' else 'cpp'}", place / file.name
         log.debug("compiling %s", subject)
         options = [flag for flag in flags if not (flag.startswith(("-l", "-L", "-Wl,")) or flag.endswith(".a"))]
         libraries = [flag for flag in flags if flag not in options]
         named = ["-x", language, str(code), "-x", "none"]  # so that a C++ compiler also treats C as C
-        command = [*compiler.command, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
+        command = [*compiler, *options, "-shared", "-fPIC", *named, "-o", str(library), *libraries]
         with cache_errors(file.parent, subject):
             code.write_text(source, encoding="utf-8")
         try:

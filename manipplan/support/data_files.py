@@ -229,18 +229,12 @@ def read_yaml(argument: str, path: Path) -> Any:
 
 
 class _Reader:
-    """Makes the value of a document from the parser's events, within the bounds.
-
-    Attributes:
-        values: value and number of values in it, by anchor.
-        open: anchors of the values that contain the next one.
-        count: number of values so far.
-    """
+    """Makes the value of a document from the parser's events, within the bounds."""
 
     def __init__(self, text: str) -> None:
         self.parser = _Parser(text)
-        self.values: dict[str, tuple[Any, int]] = {}
-        self.open: list[str | None] = []
+        self.values: dict[str, tuple[Any, int]] = {}  # value and number of values in it, by anchor
+        self.open: list[str | None] = []  # anchors of the values that contain the next one
         self.count = 0
 
     def document(self) -> Any:

@@ -68,11 +68,7 @@ def building() -> Iterator[None]:
 
 @dataclass(frozen=True, kw_only=True)
 class Deadline:
-    """A time by which work has to end, also in other processes.
-
-    Attributes:
-        at: in `work_time` [s]; inf: never.
-    """
+    """A time by which work has to end, also in other processes: `at` in `work_time` [s]; inf: never."""
 
     at: float = np.inf
 
@@ -139,13 +135,7 @@ EXCESS, LEAST_ENDING = 0.1, 0.9
 
 
 class TimeLimit:
-    """The time limit of a job, which ends with timing and checks.
-
-    Attributes:
-        seconds: the limit [s]; None: none.
-        deadline: when it passes.
-        step: the text of the last progress.
-    """
+    """The limit of a job, which ends with timing and checks, in seconds, None for none; `step`: text of the last progress."""
 
     def __init__(self, seconds: float | None, step: str) -> None:
         """`step`: the first one. Raises InvalidInputError for a limit that is none."""

@@ -5,6 +5,7 @@ solution raises `PlanningError`, which holds the result and its status; ``throw=
 """
 
 import difflib
+import inspect
 import re
 import reprlib
 from collections.abc import Iterable, Iterator
@@ -18,6 +19,11 @@ class ManipplanError(Exception):
 
     def __init__(self, *args: object) -> None:
         super().__init__(*(plain_numbers(each) if isinstance(each, str) else each for each in args))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Each class keeps its arguments as attributes of the same names; the root has those of every exception."""
+        names = inspect.signature(type(self)).parameters
+        return type(self), self.args if "args" in names else tuple(getattr(self, name) for name in names)
 
 
 def plain_numbers(text: str) -> str:
@@ -37,12 +43,8 @@ class InvalidInputError(ManipplanError, ValueError):
         self.value = value
         self.allowed = allowed
         allowed_text = plain_numbers(_cut_off(allowed, 2000))
-        super(ManipplanError, self).__init__(
-            f"{_cut_off(argument, 400)}: got {_short(value)}; allowed: {allowed_text}"
-        )  # a text as it is
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.argument, self.value, self.allowed)
+        text = f"{_cut_off(argument, 400)}: got {_short(value)}; allowed: {allowed_text}"
+        super(ManipplanError, self).__init__(text)  # as it is
 
 
 @contextmanager
@@ -86,9 +88,6 @@ class OutOfReachError(InvalidInputError):
         self.nearest = nearest
         super().__init__(argument, value, allowed)
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.argument, self.value, self.allowed, self.nearest)
-
 
 class FileFormatError(InvalidInputError):
     """A file that cannot be read as what it should be."""
@@ -118,9 +117,6 @@ class MissingExtraError(ManipplanError, ImportError):
         self.extra = extra
         super().__init__(f"{package} is not installed; install it with: pip install 'manipplan[{extra}]'")
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.package, self.extra)
-
 
 class RobotNotFetchedError(ManipplanError):
     """The files of a robot of another collection are not on this machine and could not be fetched; `remedy` says what helps."""
@@ -130,9 +126,6 @@ class RobotNotFetchedError(ManipplanError):
         self.reason = reason
         self.remedy = remedy
         super().__init__(f"{robot} could not be fetched: {_cut_off(reason, 400)}; {remedy}")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.robot, self.reason, self.remedy)
 
 
 class MissingSourcesError(ManipplanError, ImportError):
@@ -145,9 +138,6 @@ class MissingSourcesError(ManipplanError, ImportError):
             "make demo, then .venv/bin/manipplan study"
         )
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.subject,)
-
 
 class MissingProgramError(ManipplanError):
     """A program that is not a Python package is not installed; the message holds the command that installs it."""
@@ -158,9 +148,6 @@ class MissingProgramError(ManipplanError):
         self.otherwise = otherwise
         super().__init__(f"{program} is not installed; install it with: {install}   ({otherwise})")
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.program, self.install, self.otherwise)
-
 
 class CompilerError(ManipplanError):
     """Compilation failed: there is no compiler, or it reported an error. `output` is its message."""
@@ -169,9 +156,6 @@ class CompilerError(ManipplanError):
         self.subject = subject
         self.output = output
         super().__init__(f"compiling {subject}: {output}")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.subject, self.output)
 
 
 class CompilerWarning(UserWarning):

@@ -14,12 +14,7 @@ import casadi as ca
 
 
 class _Turn:
-    """Whose turn it is.
-
-    Attributes:
-        lock: of the thread that makes or frees expressions.
-        unused: what nobody uses any more, and whoever has the lock frees.
-    """
+    """The lock of the thread that makes or frees expressions, and what is `unused`: whoever has the lock frees it."""
 
     def __init__(self) -> None:
         self.unused: list[object] = []

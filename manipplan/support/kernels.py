@@ -121,14 +121,8 @@ LEVEL = 3
 def compile_by_llvm(text: str, subject: str) -> Any:
     """An execution engine with the functions of a module in LLVM's language, for the processor of this machine.
 
-    Addresses are given by `get_function_address(name)`; the code lives as long as the engine.
-
-    Args:
-        text: the module, which needs no optimisation before it becomes machine code.
-        subject: what it is, for messages.
-
-    Raises:
-        CompilerError: LLVM does not accept the module.
+    Addresses are given by `get_function_address(name)`; the code lives as long as the engine. The module needs no optimisation
+    before it becomes machine code. Raises CompilerError where LLVM does not accept it; `subject` names it.
     """
     import llvmlite
     from llvmlite import binding as llvm
@@ -185,13 +179,7 @@ LLVM_TEXTS = FOLDER / "kernels.ll.xz"
 
 
 class Kernel:
-    """Functions of one C source.
-
-    Args:
-        name: the file without suffix, such as "curves".
-        address: the address of a function by its whole name.
-        owner: what holds their code.
-    """
+    """Functions of one C source, such as "curves", by their addresses; `owner` holds their code."""
 
     def __init__(self, name: str, address: Callable[[str], int], owner: object) -> None:
         self.name, self._address, self._owner = name, address, owner

@@ -5,11 +5,6 @@ Here each process has its own pipes: only its work fails, with WorkerLostError, 
 
 A process does not read the program of its caller, as those of `multiprocessing` do, so the program needs no line
 ``if __name__ == "__main__":``; only for arguments of a class that the program defines.
-
-usable_memory: the memory that this process may use, which a container or a shell limits below that of the machine.
-
-one_thread: linear algebra on one thread. The matrices of a plan are so small that more threads only wait for each other, on a
-busy machine several times as long as the work takes.
 """
 
 import os
@@ -257,12 +252,7 @@ LIMITS = (("", "memory.max"), ("memory", "memory.limit_in_bytes"))
 
 
 def usable_memory(proc: Path = Path("/proc/self"), groups: Path = Path("/sys/fs/cgroup")) -> float:
-    """The least of the machine's memory, the limit of its address space, and those of all its control groups [bytes].
-
-    Args:
-        proc: the process's folder in the file system of processes.
-        groups: where control groups are mounted.
-    """
+    """The least of the machine's memory, the limit of its address space, and those of all its control groups [bytes]."""
     limits = [float(os.sysconf("SC_PAGE_SIZE")) * os.sysconf("SC_PHYS_PAGES"), *_group_limits(proc, groups)]
     try:
         import resource
@@ -295,7 +285,8 @@ def _group_limits(proc: Path, groups: Path) -> Iterator[float]:
 def one_thread() -> Iterator[None]:
     """Let BLAS use one thread in the block, and as many as before after it; also usable as a decorator.
 
-    Where BLAS has one setting for the process, the first of several threads decides, as threadpoolctl says.
+    The matrices of a plan are so small that more threads only wait for each other, on a busy machine several times as long as
+    the work takes. Where BLAS has one setting for the process, the first of several threads decides, as threadpoolctl says.
     """
     with _libraries(len(sys.modules)).limit(limits=1, user_api="blas"):
         yield

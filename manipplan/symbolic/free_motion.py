@@ -51,9 +51,7 @@ class FreeMotion:
     def of(cls, task: Task, *, planar: bool = False) -> "FreeMotion":
         """What a task leaves free. Raises InvalidInputError for a task whose rows do not fix a set of poses.
 
-        Args:
-            task: what of the tool's motion counts.
-            planar: whether the arm moves its tool in the x-y plane, turning it about z, only.
+        `planar`: whether the arm moves its tool in the x-y plane, turning it about z, only.
         """
         if task.region is not None:
             return BoundedMotion.about(task.region, planar=planar)
@@ -94,13 +92,9 @@ class FreeMotion:
         return complement(self.shifts)
 
     def line(self, value: int, count: int, centre: Array, radius: float, poses: Array) -> Array:
-        """A grid of one value, (count,): around the circle, evenly over the sphere, or over where the tool can be.
+        """A grid (count,) of the value of an index: around the circle, evenly over the sphere, or over where the tool can be.
 
-        Args:
-            value: its index.
-            count: number of its values.
-            centre, radius: of a ball that holds every place of the tool, (3,) [m].
-            poses: (k, 4, 4), for at least one of which a shift is to be inside the ball.
+        For at least one of poses (k, 4, 4) a shift is inside the ball (3,) [m] that holds every place of the tool.
         """
         if value >= len(self.shifts):
             if self.turns is Turns.ANY and value == len(self.shifts) + 1:
@@ -116,17 +110,15 @@ class FreeMotion:
 
     def values(self, reached: Array, poses: Array) -> Array:
         """The values (k, f) of tool poses reached (k, 4, 4) that count as poses (k, 4, 4)."""
-        from scipy.spatial.transform import Rotation
-
         have, want = reached[:, :3, :3], poses[:, :3, :3]
         there = reached[:, :3, 3]
         if self.in_tool:
             there = _rotate(np.swapaxes(want, 1, 2), there - poses[:, :3, 3])
         columns = [there @ self.shifts.T]
         if self.turns is Turns.TOOL_AXIS:
-            columns.append((Rotation.from_matrix(np.swapaxes(want, 1, 2) @ have).as_rotvec() @ self.axis)[:, None])
+            columns.append((rotation_vectors(np.swapaxes(want, 1, 2) @ have) @ self.axis)[:, None])
         elif self.turns is Turns.WORLD_AXIS:
-            columns.append((Rotation.from_matrix(have @ np.swapaxes(want, 1, 2)).as_rotvec() @ self.axis)[:, None])
+            columns.append((rotation_vectors(have @ np.swapaxes(want, 1, 2)) @ self.axis)[:, None])
         elif self.turns is Turns.ANY:
             columns.append(_euler(have))
         return np.hstack(columns)
@@ -142,9 +134,9 @@ class FreeMotion:
         else:
             moved[:, :3, 3] += (shift - poses[:, :3, 3] @ self.shifts.T) @ self.shifts
         if self.turns is Turns.TOOL_AXIS:
-            moved[:, :3, :3] = poses[:, :3, :3] @ Rotation.from_rotvec(angles * self.axis).as_matrix()
+            moved[:, :3, :3] = poses[:, :3, :3] @ rotations_of(angles * self.axis)
         elif self.turns is Turns.WORLD_AXIS:
-            moved[:, :3, :3] = Rotation.from_rotvec(angles * self.axis).as_matrix() @ poses[:, :3, :3]
+            moved[:, :3, :3] = rotations_of(angles * self.axis) @ poses[:, :3, :3]
         elif self.turns is Turns.ANY:
             moved[:, :3, :3] = Rotation.from_euler("ZYZ", angles).as_matrix()
         return moved
@@ -247,16 +239,13 @@ class BoundedMotion(FreeMotion):
 
     def poses(self, poses: Array, values: Array) -> Array:
         """As `FreeMotion.poses`; values outside the region are taken to its boundary."""
-        from scipy.spatial.transform import Rotation
-
         region, moved, every = self.region, poses.copy(), np.zeros((len(values), 6))
         every[:, self.widths > 0] = np.clip(values, -self.bounds, self.bounds)
-        rotations = Rotation.from_rotvec(every[:, 3:]).as_matrix()
+        rotations = rotations_of(every[:, 3:])
         if region.cone is not None:
             tilts = every[:, 3:5]
             tilts *= np.minimum(region.cone / np.maximum(np.linalg.norm(tilts, axis=1), 1e-300), 1.0)[:, None]
-            tilted = Rotation.from_rotvec(tilts @ complement(self._axis[None])).as_matrix()
-            rotations = tilted @ Rotation.from_rotvec(every[:, 5:] * self._axis).as_matrix()
+            rotations = rotations_of(tilts @ complement(self._axis[None])) @ rotations_of(every[:, 5:] * self._axis)
         if self.in_tool:
             moved[:, :3, 3] += _rotate(poses[:, :3, :3], every[:, :3])
             moved[:, :3, :3] = poses[:, :3, :3] @ rotations
@@ -267,18 +256,19 @@ class BoundedMotion(FreeMotion):
 
     def coordinates(self, reached: Array, poses: Array) -> Array:
         """All coordinates (k, 6) of tool poses reached (k, 4, 4) from poses (k, 4, 4)."""
-        from scipy.spatial.transform import Rotation
-
-        back = np.swapaxes(poses[:, :3, :3], 1, 2)
-        moved = reached[:, :3, 3] - poses[:, :3, 3]
-        moved = _rotate(back, moved) if self.in_tool else moved
-        turned = back @ reached[:, :3, :3] if self.in_tool else reached[:, :3, :3] @ back
+        moved, turned = self._displacement(reached, poses)
         if self.region.cone is None:
-            return np.hstack([moved, Rotation.from_matrix(turned).as_rotvec()])
+            return np.hstack([moved, rotation_vectors(turned)])
         tilts = tilts_of(turned @ self._axis, self._axis)
-        untilted = np.swapaxes(Rotation.from_rotvec(tilts).as_matrix(), 1, 2) @ turned
-        spins = Rotation.from_matrix(untilted).as_rotvec() @ self._axis
+        spins = rotation_vectors(np.swapaxes(rotations_of(tilts), 1, 2) @ turned) @ self._axis
         return np.hstack([moved, tilts @ complement(self._axis[None]).T, spins[:, None]])
+
+    def _displacement(self, reached: Array, poses: Array) -> tuple[Array, Array]:
+        """Shifts (k, 3) and rotations (k, 3, 3) from poses to tool poses reached (k, 4, 4), in the frame of the region."""
+        back, moved = np.swapaxes(poses[:, :3, :3], 1, 2), reached[:, :3, 3] - poses[:, :3, 3]
+        if self.in_tool:
+            return _rotate(back, moved), back @ reached[:, :3, :3]
+        return moved, reached[:, :3, :3] @ back
 
     def excess(self, reached: Array, poses: Array) -> tuple[Array, Array]:
         """How far tool poses reached (k, 4, 4) are outside the regions about poses (k, 4, 4): [m] and [rad], (k,) each.
@@ -286,10 +276,7 @@ class BoundedMotion(FreeMotion):
         Of a box it is the length of what is beyond it of the shift, or of the rotation vector; of a cone what tilt or spin
         exceed, the larger.
         """
-        back = np.swapaxes(poses[:, :3, :3], 1, 2)
-        moved = reached[:, :3, 3] - poses[:, :3, 3]
-        moved = _rotate(back, moved) if self.in_tool else moved
-        turned = back @ reached[:, :3, :3] if self.in_tool else reached[:, :3, :3] @ back
+        moved, turned = self._displacement(reached, poses)
         position = np.linalg.norm(np.maximum(np.abs(moved) - self.widths[:3], 0.0), axis=1)
         trace = np.trace(turned, axis1=1, axis2=2)
         skew = np.stack(
@@ -305,9 +292,7 @@ class BoundedMotion(FreeMotion):
         vectors = (skew * (angle / np.maximum(2 * sine, SMALL))).T
         half_turn = (trace < -0.99) | (sine < SMALL)  # where rounding decides on the axis, or there is none
         if half_turn.any():
-            from scipy.spatial.transform import Rotation
-
-            vectors[half_turn] = Rotation.from_matrix(turned[half_turn]).as_rotvec()
+            vectors[half_turn] = rotation_vectors(turned[half_turn])
         return position, np.linalg.norm(np.maximum(np.abs(vectors) - self.widths[3:], 0.0), axis=1)
 
     def fixed_rows(self, poses: Array) -> Array:
@@ -388,6 +373,20 @@ def _free_rotations(task: Task, world: Array, tool: Array) -> tuple[Turns, Array
     first, second = rows[rows.any(axis=1)][:2]
     axis = np.linalg.svd(rows)[2][2]
     return kind, axis if axis @ np.cross(first, second) >= 0 else -axis
+
+
+def rotation_vectors(rotations: Array) -> Array:
+    """Rotation vectors (k, 3) of rotations (k, 3, 3), of at most half a turn."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_matrix(rotations).as_rotvec())
+
+
+def rotations_of(vectors: Array) -> Array:
+    """Rotations (k, 3, 3) of rotation vectors (k, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_rotvec(vectors).as_matrix())
 
 
 def _rotate(rotations: Array, vectors: Array) -> Array:

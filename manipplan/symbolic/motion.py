@@ -94,8 +94,8 @@ class Columns:
 
     def first(self, weights: ca.SX, *, in_tool: bool) -> ca.SX:
         """The derivatives ∂_k Σ_j weights_j · S_j for constant weights (6, n), as (n, 1)."""
-        n = len(self.v)
-        f, t = _split(weights)
+        n, forces = len(self.v), Columns.of(weights)
+        f, t = forces.v, forces.w
         slopes = []
         if in_tool:
             before_v, before_w = ca.SX.zeros(3), ca.SX.zeros(3)
@@ -120,8 +120,8 @@ class Columns:
 
         Triple products of cross products become (N - tr N) u with N = Σ a bᵀ, summed once along the chain.
         """
-        n = len(self.v)
-        f, t = _split(weights)
+        n, forces = len(self.v), Columns.of(weights)
+        f, t = forces.v, forces.w
         out = ca.SX.zeros(n, n)
         if in_tool:
             spin, screw = ca.SX.zeros(3, 3), ca.SX.zeros(3, 3)
@@ -208,11 +208,6 @@ class LedMotion(Motion):
 
     def second(self, weights: ca.SX) -> ca.SX:
         return self.matrix.T @ self.inner.second(weights @ self.matrix.T) @ self.matrix
-
-
-def _split(weights: ca.SX) -> tuple[list[ca.SX], list[ca.SX]]:
-    n = weights.shape[1]
-    return [weights[:3, j] for j in range(n)], [weights[3:, j] for j in range(n)]
 
 
 def _triple(moment: ca.SX, u: ca.SX) -> ca.SX:

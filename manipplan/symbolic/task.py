@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
-from manipplan.support.checks import Array, ArrayLike, finite_array, number, number_array, one_of, text
+from manipplan.support.checks import Array, ArrayLike, finite_array, number, number_array, one_of, text, unit_vector
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -116,7 +116,7 @@ class Task:
     @classmethod
     def pointing(cls, axis: ArrayLike = (0.0, 0.0, 1.0), length: float = 0.5, *, relative_to: str | None = None) -> "Task":
         """Position and direction of a tool axis (3,) given in the tool's frame, 5 rows: rotation about it is free."""
-        _, _, basis = np.linalg.svd(_unit("axis", axis)[None, :])
+        _, _, basis = np.linalg.svd(unit_vector("axis", axis)[None, :])
         across = tuple((0.0, 0.0, 0.0, *(float(x) for x in row)) for row in basis[1:])
         length = number("length", length, above=0.0)
         return cls(name="pointing", world_rows=_LINEAR, tool_rows=across, length=length, relative_to=relative_to)
@@ -124,13 +124,13 @@ class Task:
     @classmethod
     def direction(cls, axis: ArrayLike, frame: str = "world", *, relative_to: str | None = None) -> "Task":
         """Speed of the tool's origin along one axis (3,) of the "world" or of the "tool", 1 row."""
-        rows = np.concatenate([_unit("axis", axis), np.zeros(3)])[None, :]
+        rows = np.concatenate([unit_vector("axis", axis), np.zeros(3)])[None, :]
         return cls._rows("direction", rows, frame, 1.0, relative_to)
 
     @classmethod
     def rotation(cls, axis: ArrayLike, frame: str = "world", *, relative_to: str | None = None) -> "Task":
         """Angular speed of the tool about one axis (3,) of the "world" or of the "tool", 1 row."""
-        rows = np.concatenate([np.zeros(3), _unit("axis", axis)])[None, :]
+        rows = np.concatenate([np.zeros(3), unit_vector("axis", axis)])[None, :]
         return cls._rows("rotation", rows, frame, 1.0, relative_to)
 
     @classmethod
@@ -200,7 +200,7 @@ class Task:
             position=tuple(widths[0].tolist()),
             rotation=tuple(widths[1].tolist()),
             cone=cone,
-            axis=tuple(_unit("axis", axis).tolist()),
+            axis=tuple(unit_vector("axis", axis).tolist()),
             spin=spin,
             frame=frame,
         )
@@ -257,11 +257,6 @@ class Task:
             return world @ jacobian
         turned = ca.vertcat(rotation.T @ jacobian[:3, :], rotation.T @ jacobian[3:, :])
         return ca.vertcat(world @ jacobian, tool @ turned)
-
-
-def _unit(argument: str, axis: ArrayLike) -> Array:
-    direction = finite_array(argument, axis, (3,))
-    return direction / number(f"the length of {argument}", float(np.linalg.norm(direction)), above=1e-9)
 
 
 _LINEAR: tuple[Row, ...] = tuple(tuple(row) for row in np.eye(6)[:3].tolist())

@@ -1,9 +1,4 @@
-"""SpeedDemand: a constant speed of the tool that is asked for, at which paths are timed, or else the fastest one named.
-
-check_corners: refuses a constant speed of the tool around a corner that no motion of the arm can keep there.
-
-SteadySpeed: the speed of the tool on a motion that is to have a constant one, measured on the motion.
-"""
+"""A constant speed of the tool: paths are timed at it, or the fastest one is named; it is measured on the motion."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -281,12 +276,9 @@ BINDS = 0.9
 
 @dataclass(frozen=True, kw_only=True)
 class SpeedDemand:
-    """A constant speed of the tool that is asked for along a path.
+    """A constant speed of the tool's origin along a path [m/s], from which it may be slower by a share.
 
-    Attributes:
-        speed: of the tool's origin [m/s].
-        slowdown: share by which the tool may be slower.
-        torque: whether the joints' effort limits are kept as well.
+    With `torque` the joints' effort limits are kept as well.
     """
 
     speed: float
@@ -335,11 +327,7 @@ class SpeedDemand:
         """The motion along a joint path from rest to rest, with the constant speed but for the ramps at its ends.
 
         Ramps are as short as the limits allow. Where the limits do not allow the speed the tool slows, by at most the share.
-
-        Args:
-            path: joint path.
-            robot: the arm.
-            ends: s of the ends on the path of the tool, for messages.
+        Messages count s between `ends`, those of the path of the tool.
 
         Raises:
             InvalidInputError: the speed is not reached, or not kept; the message names the fastest that is, and what limits it.
@@ -382,11 +370,8 @@ def slower(
 ) -> str:
     """What is allowed instead of a constant speed [m/s] that is not possible on a path: the fastest that is, and why.
 
-    Args:
-        keep: tells whether a speed is kept.
-        torque: keep the effort limits as well.
-        ends: s of the ends on the path of the tool.
-        slowest: speed to which the tool slows where it may [m/s]; 0: it may not.
+    `keep` tells whether a speed is kept; `ends` are the s of the ends on the path of the tool. It slows to `slowest` [m/s]
+    where it may; 0: it may not.
     """
 
     def where(s: float) -> str:

@@ -10,7 +10,7 @@ the joint path, or that of the tool's way: then a constant speed of the tool is 
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -238,14 +238,11 @@ class PathDynamics:
 
     def eased(self, velocity: Array, rows: Array) -> "PathDynamics":
         """A copy with tighter limits: velocity and rows are divided by factors (k,) >= 1 per grid point."""
-        values = {name: getattr(self, name) for name in ("curve", "length", "time_unit", "tangent", "curvature", "bounds")}
         # the constant part (gravity) is not scaled, only the room that it leaves
         room = 1 / rows[:, None]
         left = np.maximum(room - np.abs(self.constant), 1e-3 * (1 - np.abs(self.constant)))
         share = np.where(self.constant == 0, rows[:, None], (1 - np.abs(self.constant)) / left)
-        return PathDynamics(
-            **values, fastest=self.fastest / velocity**2, u=self.u * share, x=self.x * share, constant=self.constant
-        )
+        return replace(self, fastest=self.fastest / velocity**2, u=self.u * share, x=self.x * share)
 
 
 def path_dynamics(

@@ -73,29 +73,6 @@ class SpeedTerms:
     sum_rows: Rows
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Slacks:
-    """Distances to all limits: of a, and of c between grid points; of each demand row to 1 and to -1; of the rise and the
-    fall of each acceleration over an interval; of b at the first and the last point; and c itself, which is positive.
-    `pace` holds the speed terms of c.
-    """
-
-    fastest: Array
-    between: Array
-    above: Array
-    below: Array
-    rise: Array
-    fall: Array
-    ends: Array
-    c: Array
-    pace: SpeedTerms
-
-    @property
-    def every(self) -> tuple[Array, ...]:
-        """All slacks; inf where there is no limit."""
-        return self.fastest, self.between, self.above, self.below, self.rise, self.fall, self.ends, self.c
-
-
 class JerkProblem:
     """The problem of the fastest a(l) on the grid of `demands` with jerk limits (k - 1, n) per interval [rad/s³].
 
@@ -161,37 +138,9 @@ class JerkProblem:
         w, v = (row / (2 * root) for row in self.a_rows)
         return SpeedTerms(root=root, step=step, first=-step / u, sum_rows=(w[:-1], v[:-1] + w[1:], v[1:]))
 
-    def time(self, pace: SpeedTerms) -> float:
-        """Duration in the units of the demands."""
-        total = pace.step.sum()
-        for k, size in self._stops():
-            total += 3 * size / pace.root[k]
-        return float(total)
-
     def _stops(self) -> list[tuple[int, float]]:
         """Index of the inner grid point next to each stop, and its distance from the stop."""
         return [(k, size) for k, size, fixed in zip((0, -1), self.outer, self.fixed, strict=True) if not fixed]
-
-    def slacks(self, c: Array) -> Slacks | None:
-        """The slacks of all limits; None when a limit is exceeded."""
-        if not (c > 0).all():  # c > 0 means a > 0 everywhere, also between grid points
-            return None
-        pace = self.pace(c)
-        demand = applied(self.demand_rows, c) + self.constant
-        room = self.jerk * pace.step[:, None]
-        change = np.diff(applied(self.qdd_rows, c), axis=0)
-        found = Slacks(
-            fastest=self.fastest - applied(self.a_rows, c),
-            between=self.most_c - c,
-            above=1.0 - demand,
-            below=1.0 + demand,
-            rise=room - change,
-            fall=room + change,
-            ends=np.array([self.most_b[0] - self.d[0] * (c[1] - c[0]), self.most_b[1] + self.d[-1] * (c[-1] - c[-2])]),
-            c=c,
-            pace=pace,
-        )
-        return found if all((part > 0).all() for part in found.every) else None
 
     def motion(self, z: Array) -> SquaredSpeed:
         """The motion of free coefficients at all grid points, including stops."""
@@ -216,14 +165,7 @@ class JerkProblem:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Profile(ABC):
-    """Samples of a motion along a piece of path.
-
-    Attributes:
-        curve: the piece as a function of its arc length.
-        time: (k,) sample times, from 0 [s].
-        length: (k,) arc length travelled [rad or m].
-        speed: (k,) dl/dt.
-    """
+    """Samples of a motion along a piece of path: times from 0 [s], lengths l travelled [rad or m], and dl/dt, (k,) each."""
 
     curve: ArcLength
     time: Array
@@ -359,8 +301,6 @@ SUFFICIENT = 1e-2
 #: What stands beyond the last grid point.
 BEYOND = {"h": 1.0, "d": 0.0, "w": 0.5, "fastest": np.inf, "most_c": np.inf}
 
-#: The compiled steps.
-
 
 def fastest_motion(problem: JerkProblem, guess: Array | None = None) -> SquaredSpeed | None:
     """The fastest motion found; None when none within the limits is found. `guess`: a at the grid points."""
@@ -383,12 +323,13 @@ def motion_inside(problem: JerkProblem, guess: Array | None, centring: "Centring
     )
     z = np.maximum(shape[1:-1], 1e-9 * shape.max())
     start, end = problem.fixed
+    centring = centring or Centring(problem)
     if not (start or end):
-        entered = (centring or Centring(problem)).entered(z, 0.8, 400)
+        entered = centring.entered(z, 0.8, 400)
         return None if entered is None else 0.95 * entered
     nearest: Array | None = np.maximum(z / z.max() * max(start, end), np.interp(greville[1:-1], [0, 1], [start, end]) * 0.999)
     for _ in range(SEARCHES):
-        if nearest is None or problem.slacks(problem.coefficients(nearest)) is not None:
+        if nearest is None or centring.entered(nearest, 1.0, 1) is not None:
             return nearest
         nearest = _nearer(problem, nearest)
     return None

@@ -1,6 +1,6 @@
 """Demands of a trajectory on each joint compared with its limits: exact extremes of the cubic pieces, not samples."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,6 +37,9 @@ class LimitUse:
     time: float
 
 
+NO_USE = LimitUse(ratio=0.0, joint="", time=0.0)
+
+
 def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, LimitUse]:
     """Compute the largest use of the position, velocity and acceleration limits over a trajectory, in closed form.
 
@@ -45,12 +48,10 @@ def limit_use(trajectory: Trajectory, limits: JointLimits) -> Mapping[str, Limit
     """
     _matching(trajectory, limits)
     at, velocity, acceleration = _extremes(*trajectory.segments())
-    starts = trajectory.t[:-1, None]
-    names = trajectory.joint_names
     return {
         "position": _position_use(trajectory, limits),
-        "velocity": _worst(velocity, at, starts, limits.velocity, names),
-        "acceleration": _worst(acceleration, at[:2], starts, limits.acceleration, names),
+        "velocity": _largest_ratio(trajectory, velocity, limits.velocity, at),
+        "acceleration": _largest_ratio(trajectory, acceleration, limits.acceleration, at),
     }
 
 
@@ -101,15 +102,14 @@ def jerk_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     _matching(trajectory, limits)
     widths, (_, _, second, third) = trajectory.segments()
     if np.isinf(limits.jerk).all():
-        return LimitUse(ratio=0.0, joint="", time=0.0)
+        return NO_USE
     ratios = 6 * np.abs(third) / limits.jerk
     begins, ends = 2 * second, 2 * second + 6 * third * widths[:, None]
     unit = np.where(np.isfinite(limits.acceleration), limits.acceleration, np.abs([begins, ends]).max())
     explained = 6 * np.abs(trajectory.qd[1:-1]) * (NANOSECOND / widths[1:] ** 2 + NANOSECOND / widths[:-1] ** 2)[:, None]
     jumps = np.abs(begins[1:] - ends[:-1]) > np.clip(explained, JUMP * unit, MOST_JUMP * unit)
     ratios[1:][jumps & np.isfinite(limits.jerk)] = np.inf
-    segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
-    return LimitUse(ratio=float(ratios[segment, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[segment]))
+    return _largest_use(trajectory, ratios[None], [np.zeros_like(ratios)])
 
 
 def _matching(trajectory: Trajectory, limits: JointLimits) -> None:
@@ -127,14 +127,11 @@ def torque_use(trajectory: Trajectory, model: pin.Model, effort: Array, *, insid
     if instance("model", model, pin.Model).nv != n:
         raise InvalidInputError("model", f"a model of {model.nv} joints", f"a model of the trajectory's {n} joints")
     effort, inside = positive_array("effort", effort, n), whole_number("inside", inside, least=0, most=MOST_INSIDE)
-    worst = LimitUse(ratio=0.0, joint="", time=0.0)
+    worst = NO_USE
     for u, *state in _within(trajectory, inside):
-        ratio = np.abs(_torques(model, *state)) / effort
-        k, joint = np.unravel_index(np.argmax(ratio), ratio.shape)
-        if ratio[k, joint] > worst.ratio:
-            worst = LimitUse(
-                ratio=float(ratio[k, joint]), joint=trajectory.joint_names[joint], time=float(trajectory.t[k] + u[k])
-            )
+        ratios = np.abs(_torques(model, *state)) / effort
+        found = _largest_use(trajectory, ratios[None], [np.broadcast_to(u[:, None], ratios.shape)])
+        worst = found if found.ratio > worst.ratio else worst
     return worst
 
 
@@ -171,13 +168,15 @@ def _torques(model: pin.Model, q: Array, qd: Array, qdd: Array) -> Array:
     return np.array([pin.rnea(model, data, *state) for state in zip(q, qd, qdd, strict=True)])
 
 
-def _worst(values: list[Array], at: list[Array], starts: Array, limit: Array, names: tuple[str, ...]) -> LimitUse:
-    ratios = np.abs(np.stack(values)) / limit
-    which, segment, joint = np.unravel_index(np.argmax(ratios), ratios.shape)
-    ratio = float(ratios[which, segment, joint])
-    if np.isinf(limit).all():
-        return LimitUse(ratio=0.0, joint="", time=0.0)
-    return LimitUse(ratio=ratio, joint=names[joint], time=float(starts[segment, 0] + at[which][segment, joint]))
+def _largest_use(trajectory: Trajectory, ratios: Array, at: Sequence[Array]) -> LimitUse:
+    """The largest of ratios (m, k - 1, n) at m times (k - 1, n) in each piece."""
+    which, segment, joint = (int(k) for k in np.unravel_index(int(np.argmax(ratios)), ratios.shape))
+    time = trajectory.t[segment] + at[which][segment, joint]
+    return LimitUse(ratio=float(ratios[which, segment, joint]), joint=trajectory.joint_names[joint], time=float(time))
+
+
+def _largest_ratio(trajectory: Trajectory, values: list[Array], limit: Array, at: list[Array]) -> LimitUse:
+    return NO_USE if np.isinf(limit).all() else _largest_use(trajectory, np.abs(np.stack(values)) / limit, at)
 
 
 def _position_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
@@ -191,11 +190,5 @@ def _position_use(trajectory: Trajectory, limits: JointLimits) -> LimitUse:
     at = [np.zeros_like(c0), np.broadcast_to(h, c0.shape), *(np.clip(np.nan_to_num(u), 0.0, h) for u in turning)]
     q = np.stack([c0 + u * (c1 + u * (c2 + u * c3)) for u in at])
     excess = np.maximum(limits.lower - q, q - limits.upper)
-    which, segment, joint = np.unravel_index(np.argmax(excess), excess.shape)
-    if np.isinf(excess[which, segment, joint]):
-        return LimitUse(ratio=-np.inf, joint="", time=0.0)
-    return LimitUse(
-        ratio=float(excess[which, segment, joint]),
-        joint=trajectory.joint_names[joint],
-        time=float(trajectory.t[segment] + at[which][segment, joint]),
-    )
+    found = _largest_use(trajectory, excess, at)
+    return LimitUse(ratio=-np.inf, joint="", time=0.0) if np.isinf(found.ratio) else found

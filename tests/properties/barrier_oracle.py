@@ -3,10 +3,77 @@
 A sum of functions of neighbouring unknowns has a Hessian of five diagonals.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from manipplan.support.checks import Array
-from manipplan.timing.jerk import CENTRED, FIRST, GAP, HEAVIER, ROUGH, STEPS, SUFFICIENT, JerkProblem, Rows, Slacks
+from manipplan.timing.jerk import (
+    CENTRED,
+    FIRST,
+    GAP,
+    HEAVIER,
+    ROUGH,
+    STEPS,
+    SUFFICIENT,
+    JerkProblem,
+    Rows,
+    SpeedTerms,
+    applied,
+)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Slacks:
+    """Distances to all limits: of a, and of c between grid points; of each demand row to 1 and to -1; of the rise and the
+    fall of each acceleration over an interval; of b at the first and the last point; and c itself, which is positive.
+    `pace` holds the speed terms of c.
+    """
+
+    fastest: Array
+    between: Array
+    above: Array
+    below: Array
+    rise: Array
+    fall: Array
+    ends: Array
+    c: Array
+    pace: SpeedTerms
+
+    @property
+    def every(self) -> tuple[Array, ...]:
+        """All slacks; inf where there is no limit."""
+        return self.fastest, self.between, self.above, self.below, self.rise, self.fall, self.ends, self.c
+
+
+def time_of(problem: JerkProblem, pace: SpeedTerms) -> float:
+    """Duration in the units of the demands."""
+    total = pace.step.sum()
+    for k, size in problem._stops():
+        total += 3 * size / pace.root[k]
+    return float(total)
+
+
+def slacks_of(problem: JerkProblem, c: Array) -> Slacks | None:
+    """The slacks of all limits; None when a limit is exceeded."""
+    if not (c > 0).all():  # c > 0 means a > 0 everywhere, also between grid points
+        return None
+    pace = problem.pace(c)
+    demand = applied(problem.demand_rows, c) + problem.constant
+    room = problem.jerk * pace.step[:, None]
+    change = np.diff(applied(problem.qdd_rows, c), axis=0)
+    found = Slacks(
+        fastest=problem.fastest - applied(problem.a_rows, c),
+        between=problem.most_c - c,
+        above=1.0 - demand,
+        below=1.0 + demand,
+        rise=room - change,
+        fall=room + change,
+        ends=np.array([problem.most_b[0] - problem.d[0] * (c[1] - c[0]), problem.most_b[1] + problem.d[-1] * (c[-1] - c[-2])]),
+        c=c,
+        pace=pace,
+    )
+    return found if all((part > 0).all() for part in found.every) else None
 
 
 class NumpyCentring:
@@ -18,7 +85,7 @@ class NumpyCentring:
     def entered(self, z: Array, factor: float, most: int) -> Array | None:
         z = z.copy()
         for _ in range(most):
-            if self._problem.slacks(self._problem.coefficients(z)) is not None:
+            if slacks_of(self._problem, self._problem.coefficients(z)) is not None:
                 return z
             z *= factor
         return None
@@ -106,12 +173,12 @@ def model_of(problem: JerkProblem, slacks: Slacks, weight: float) -> BandedModel
 
 def _by_numpy(problem: JerkProblem, z: Array) -> Array:
     """The same without compiled code."""
-    time = problem.time(_inside(problem, z).pace)
+    time = time_of(problem, _inside(problem, z).pace)
     weight = FIRST * problem.count / time
     while True:
         last = problem.count / weight < GAP * time
         z = _centre(problem, z, weight, CENTRED if last else ROUGH)
-        time = problem.time(_inside(problem, z).pace)
+        time = time_of(problem, _inside(problem, z).pace)
         if last and problem.count / weight < GAP * time:
             return z
         weight *= HEAVIER
@@ -137,15 +204,15 @@ def _centre(problem: JerkProblem, z: Array, weight: float, enough: float) -> Arr
 
 def _merit(problem: JerkProblem, z: Array, weight: float) -> float:
     """weight · time - Σ log of the slacks; inf outside the limits."""
-    found = problem.slacks(problem.coefficients(z))
+    found = slacks_of(problem, problem.coefficients(z))
     if found is None:
         return np.inf
     logs = sum(float(np.log(part[np.isfinite(part)]).sum()) for part in found.every)
-    return weight * problem.time(found.pace) - logs
+    return weight * time_of(problem, found.pace) - logs
 
 
 def _inside(problem: JerkProblem, z: Array) -> Slacks:
-    found = problem.slacks(problem.coefficients(z))
+    found = slacks_of(problem, problem.coefficients(z))
     if found is None:
         raise ValueError("z is not inside the limits")
     return found

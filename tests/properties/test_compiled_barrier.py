@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from barrier_oracle import NumpyCentring
+from barrier_oracle import NumpyCentring, slacks_of, time_of
 from examples import examples
 from hypothesis import given
 from hypothesis import strategies as st
@@ -69,7 +69,7 @@ def test_compiled_steps_lead_where_numpy_s_do(monkeypatch, functions, ends, unli
             continue
         compared += 1
         found, expected = compiled.descended(z), numpy.descended(z)
-        times = [problem.time(problem.slacks(problem.coefficients(each)).pace) for each in (found, expected)]
+        times = [time_of(problem, slacks_of(problem, problem.coefficients(each)).pace) for each in (found, expected)]
         assert times[0] == pytest.approx(times[1], rel=1e-9)
         np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-9 * expected.max())
     assert compared

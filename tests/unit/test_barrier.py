@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from barrier_oracle import BandedModel, model_of
+from barrier_oracle import BandedModel, model_of, slacks_of, time_of
 
 import manipplan as mp
 from manipplan.timing.dynamics import ArcLength, path_dynamics
@@ -54,10 +54,10 @@ def test_the_gradient_of_the_merit_is_that_of_differences(planar, rng, start, en
     z, weight = motion_inside(problem, None), 7.0
 
     def merit(z):
-        slacks = problem.slacks(problem.coefficients(z))
-        return weight * problem.time(slacks.pace) - sum(np.log(each[np.isfinite(each)]).sum() for each in slacks.every)
+        slacks = slacks_of(problem, problem.coefficients(z))
+        return weight * time_of(problem, slacks.pace) - sum(np.log(each[np.isfinite(each)]).sum() for each in slacks.every)
 
-    gradient = model_of(problem, problem.slacks(problem.coefficients(z)), weight).gradient
+    gradient = model_of(problem, slacks_of(problem, problem.coefficients(z)), weight).gradient
     eps = 1e-5 * z
     differences = [(merit(z + e) - merit(z - e)) / (2 * e.max()) for e in np.diag(eps)]
     np.testing.assert_allclose(gradient * z, differences * z, rtol=1e-4, atol=1e-5 * np.abs(gradient * z).max())

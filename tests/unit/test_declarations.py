@@ -35,7 +35,7 @@ def test_structs_are_laid_out_as_the_compiler_does(source, tmp_path):
     lines += [f'printf("%zu\\n", offsetof({name}, {field}));' for name, kind in read.items() for field, _ in kind._fields_]
     text = f"{source_text(source)}\n#include <stddef.h>\n#include <stdio.h>\nint main(void) {{ {' '.join(lines)} return 0; }}\n"
     (tmp_path / "layout.c").write_text(text)
-    command = [*find_compiler().command, "layout.c", "-o", "layout", "-lm", "-w"]
+    command = [*find_compiler(), "layout.c", "-o", "layout", "-lm", "-w"]
     subprocess.run(command, cwd=tmp_path, check=True, timeout=120)
     found = subprocess.run([tmp_path / "layout"], capture_output=True, check=True, text=True, timeout=20).stdout.split()
     expected = [ctypes.sizeof(kind) for kind in read.values()]

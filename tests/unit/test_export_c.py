@@ -39,7 +39,7 @@ def build(folder, by):
         run("cmake", "--build", folder / "build", cwd=folder)
         return folder / "build" / "example"
     flags = ("-std=c99", "-O2", "-I.", "-Iinclude", "example.c", "controller.c", "step.c", "lib/libdaqpstat.a", "-lm")
-    run(*find_compiler().command, *flags, "-o", "example", cwd=folder)
+    run(*find_compiler(), *flags, "-o", "example", cwd=folder)
     return folder / "example"
 
 
@@ -89,7 +89,7 @@ class Exported:
     def __init__(self, controller, folder):
         controller.export_c(folder)
         flags = ("-std=c99", "-O2", "-shared", "-fPIC", "-I.", "-Iinclude", "controller.c", "step.c")
-        run(*find_compiler().command, *flags, "lib/libdaqpstat.a", "-lm", "-o", "controller.so", cwd=folder)
+        run(*find_compiler(), *flags, "lib/libdaqpstat.a", "-lm", "-o", "controller.so", cwd=folder)
         self.library = ctypes.CDLL(str(folder / "controller.so"))
         self.library.controller_new.restype = ctypes.c_void_p
         self.held = ctypes.c_void_p(self.library.controller_new())
@@ -209,7 +209,7 @@ def test_the_header_compiles_without_warnings_as_c_and_says_its_numbers(arm, tmp
     assert "@" not in text
     flags = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", "-I.")
     for file in ("controller.c", "example.c"):
-        run(*find_compiler().command, *flags, file, "-o", "object.o", cwd=tmp_path)
+        run(*find_compiler(), *flags, file, "-o", "object.o", cwd=tmp_path)
 
 
 def test_a_folder_that_cannot_be_written_raises(arm, tmp_path):

@@ -6,10 +6,11 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 import pytest
+from numpy.polynomial.polynomial import polyadd, polysub, polyval
 
 import manipplan as mp
 from manipplan import planar
-from manipplan.planar.zeros import add, evaluate, multiply, real_roots, scale
+from manipplan.planar.zeros import multiply, real_roots
 
 UNIT = planar.PlanarArm([1.0, 1.0, 1.0])
 H = np.pi / 2
@@ -311,11 +312,11 @@ def test_the_last_step_of_the_bound_for_three_links_exactly():
     ∂f/∂t = 0 is t² = a t - b with a = 3(1+s)/4, b = (1+s²)/4. It makes t³ - s t² = s(1-s)(1-2s), which is ∂f/∂s = 0, linear:
     D t = N. Hence N² - a N D + b D² = 0, a polynomial in s.
     """
-    one, s, a, b = ([Fraction(x) for x in c] for c in ("1", ["0", "1"], ["3/4", "3/4"], ["1/4", "0", "1/4"]))
-    c = multiply(s, add(one, scale(-1, s)), add(one, scale(-2, s)))
-    d = add(multiply(a, a), scale(-1, b), scale(-1, multiply(s, a)))
-    n = add(multiply(a, b), scale(-1, multiply(s, b)), c)
-    joint = add(multiply(n, n), scale(-1, multiply(a, n, d)), multiply(b, d, d))
+    s, a, b = ([Fraction(x) for x in c] for c in (["0", "1"], ["3/4", "3/4"], ["1/4", "0", "1/4"]))
+    c = multiply(s, [Fraction(1), Fraction(-1)], [Fraction(1), Fraction(-2)])
+    d = polysub(polysub(multiply(a, a), b), multiply(s, a))
+    n = polyadd(polysub(multiply(a, b), multiply(s, b)), c)
+    joint = polyadd(polysub(multiply(n, n), multiply(a, n, d)), multiply(b, d, d))
 
     def f(s, t):
         return s**2 * (1 - s) ** 2 + t**2 * (1 - t) ** 2 + t**2 * (s - t) ** 2
@@ -323,9 +324,9 @@ def test_the_last_step_of_the_bound_for_three_links_exactly():
     roots = real_roots(joint, Fraction(0), Fraction(1))
     assert roots
     for root in roots:
-        below = evaluate(d, root)
+        below = polyval(root, d)
         assert abs(below) > Fraction(1, 10**6)
-        t = evaluate(n, root) / below
+        t = polyval(root, n) / below
         if 0 < t < root < 1:
             assert f(root, t) < Fraction(1, 8) - Fraction(1, 10**6)
     edge = np.linspace(0, 1, 101)  # f is 2 x²(1-x)² at s = 1 and t = s, and half of it at t = 0: largest at x = 1/2

@@ -645,7 +645,7 @@ def test_the_exported_servo_has_the_same_bits(name, tmp_path):
     servo = Servo(robot, dt=DT, reference=plan, compiled=False)
     servo.export_c(tmp_path)
     command = [
-        *find_compiler().command,
+        *find_compiler(),
         "-O2",
         "-ffp-contract=off",
         "example.c",

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import manipplan as mp
-from manipplan.paths.export import NUMBER
+from manipplan.paths.table import NUMBER
 from manipplan.support.data_files import read_yaml
 
 ARM = mp.planar_arm([1.0, 1.0])

@@ -195,7 +195,7 @@ def test_exported_c_of_a_hostile_name_compiles_and_runs(tmp_path, kind):
     avoiding(robot, scene_of(HOSTILE[kind]), compiled=False).export_c(folder)
     flags = ("-std=c99", "-Wall", "-Wextra", "-Wno-unused", "-Werror", "-trigraphs", "-I.", "-Iinclude")
     files = ("example.c", "controller.c", "step.c", "lib/libdaqpstat.a", "-lm")
-    for command in ([*find_compiler().command, *flags, *files, "-o", "example"], ["./example"]):
+    for command in ([*find_compiler(), *flags, *files, "-o", "example"], ["./example"]):
         subprocess.run(command, cwd=folder, check=True, capture_output=True, timeout=300)
     assert not mark.exists()
 
