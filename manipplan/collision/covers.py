@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from manipplan.collision.surfaces import winding_number
 from manipplan.collision.world import Primitive, mesh_triangles, outside
 from manipplan.robots.hulls import Hull, convex_hull, find_hull, outer_hull, sort_rows
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import ManipplanError
 
@@ -383,14 +384,7 @@ class _WholeMesh:
 
     def __init__(self, triangles: Array) -> None:
         self._triangles = triangles
-        self._surface = coal.BVHModelOBBRSS()
-        self._surface.beginModel(len(triangles), 3 * len(triangles))
-        self._surface.addVertices(triangles.reshape(-1, 3))
-        self._surface.addTriangles(np.arange(3 * len(triangles)).reshape(-1, 3))
-        self._surface.endModel()
-        # a box, since coal's distance of a sphere from a degenerate triangle is wrong
-        self._point, self._pose, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s(), coal.Transform3s()
-        self._request, self._result = coal.DistanceRequest(), coal.DistanceResult()
+        self._surface = triangle_tree(triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))
 
     def excess(self, faces: Array, cuts: Sequence[Plane]) -> tuple[float, Array]:
         """The largest distance of sampled points on `faces` (f, 3, 3) outside the mesh [m], and that point.
@@ -398,7 +392,7 @@ class _WholeMesh:
         A point of a hull is outside the mesh or on it, except on a cut, where it may be inside.
         """
         points = _sample(faces)
-        distances = np.array([self._distance(point) for point in points])
+        distances = distances_to(points, self._surface)
         on_cut = np.zeros(len(points), dtype=bool)
         for axis, offset in cuts:
             on_cut |= np.abs(points @ axis - offset) < 1e-7
@@ -421,11 +415,6 @@ class _WholeMesh:
 
     def _contains(self, point: Array) -> bool:
         return bool(abs(winding_number(self._triangles, point[None])[0]) > 0.5)
-
-    def _distance(self, point: Array) -> float:
-        self._pose.setTranslation(point)
-        self._result.clear()
-        return float(coal.distance(self._point, self._pose, self._surface, self._still, self._request, self._result))
 
 
 def _sample(faces: Array) -> Array:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
-from manipplan.collision.surfaces import merge_corners
+from manipplan.collision.surfaces import components, merge_corners
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.hulls import convex_hull, find_hull
 from manipplan.robots.robot import Robot
@@ -303,14 +303,9 @@ def _sides(corners: Array, faces: Faces) -> tuple[Faces, Faces, Array]:
 
 def _crease(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
     """The same triangles, with separate vertices on the two sides of a sharp edge."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     _, beside, cosines = _sides(vertices, faces)
     smooth = beside[(beside >= 0).all(axis=1) & (cosines > np.cos(SHARP))]
-    graph = coo_array((np.ones(len(smooth)), tuple(smooth.T)), shape=(len(faces),) * 2)
-    patch = connected_components(graph, directed=False)[1]
-    corners = np.stack([faces.ravel(), np.repeat(patch, 3)], axis=1)
+    corners = np.stack([faces.ravel(), np.repeat(components(smooth, len(faces)), 3)], axis=1)
     chosen, index = np.unique(corners, axis=0, return_inverse=True)
     return vertices[chosen[:, 0]], index.reshape(-1, 3)
 
