@@ -63,7 +63,7 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
     points = _hull_points(triangles.reshape(-1, 3))
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also for two points
     axes[2] *= np.linalg.det(axes)
-    capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=attrgetter("volume"))
+    capsule = min((_capsule(points, frame_along(axis)) for axis in axes), key=attrgetter("volume"))
     if refine:
         capsule = _fit_turned(_capsule, points, capsule)
     found = [capsule, _sphere(points)]
@@ -139,7 +139,8 @@ def _fit_turned(fit: Callable[[Array, Array], Primitive], points: Array, start: 
     return min([start, turned(found.x)], key=attrgetter("volume"))
 
 
-def _frame(z: Array) -> Array:
+def frame_along(z: Array) -> Array:
+    """A frame (3, 3), its axes as columns, with z along a vector (3,)."""
     z = z / np.linalg.norm(z)
     x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
     x /= np.linalg.norm(x)
@@ -218,16 +219,14 @@ def capsule_excess(start: Array, end: Array, radius: float, shape: coal.Collisio
 def capsule_points(start: Array, end: Array, radius: float) -> Array:
     """SAMPLES points spread evenly over a capsule, and its two poles (k, 3) [m]."""
     length = float(np.linalg.norm(end - start))
-    axis = (end - start) / length if length > 0 else np.array([0.0, 0.0, 1.0])
-    side = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
-    side /= np.linalg.norm(side)
+    side, up, axis = frame_along(end - start if length > 0 else np.array([0.0, 0.0, 1.0])).T
     reach = length / 2 + radius
     # as on a ball, the area between two planes normal to the axis is that of the cylinder around it
     along = np.concatenate([reach * (2 * (np.arange(SAMPLES) + 0.5) / SAMPLES - 1), [-reach, reach]])
     beyond = np.maximum(np.abs(along) - length / 2, 0.0)
     around = np.sqrt(np.maximum(radius**2 - beyond**2, 0.0))
     turn = TURN * np.arange(len(along))
-    circle = np.cos(turn)[:, None] * side + np.sin(turn)[:, None] * np.cross(axis, side)
+    circle = np.cos(turn)[:, None] * side + np.sin(turn)[:, None] * up
     return np.asarray((start + end) / 2 + along[:, None] * axis + around[:, None] * circle)
 
 

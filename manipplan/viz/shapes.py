@@ -8,6 +8,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.covers import frame_along
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
 from manipplan.collision.surfaces import components, merge_corners
@@ -312,10 +313,7 @@ def _crease(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
 
 def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
     """A square in the plane normal · x = offset."""
-    normal = normal / np.linalg.norm(normal)
-    first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
+    first, second, normal = frame_along(normal).T
     corners = [offset * normal + PLANE * (a * first + b * second) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     return np.array(corners), np.array([[0, 1, 2], [0, 2, 3]])
 
