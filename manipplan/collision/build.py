@@ -264,7 +264,6 @@ class _OwnBodies:
     """A robot's bodies, as finely as its pairs need them, and the pairs that can move relative to each other.
 
     Attributes:
-        bodies: what they are.
         count: number of those that are no finer than the others.
         links: the link or part of each body.
         pairs: (k, 2) numbers of the bodies of each pair that is checked.
@@ -372,11 +371,7 @@ def _levels(
 ) -> dict[tuple[int, int], tuple[int, int]]:
     """How finely the two objects of each pair are taken whose pieces are too coarse.
 
-    Args:
-        described: the objects.
-        stands_for: (k) the two objects that each pair of pieces represents.
-        samples: (m, n) configurations.
-        touching: (m, k) whether each pair of pieces touches there.
+    `stands_for` (k) has the objects of each pair of pieces, and `touching` (m, k) whether these touch at samples (m, n).
     """
     rows = np.flatnonzero(touching.any(axis=1))
     touch = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
@@ -416,15 +411,10 @@ def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: N
 def _drop_always_touching(
     robot: Robot, own: _OwnBodies, touching: Mapping[frozenset[str], int], left_out: dict[tuple[str, str], str]
 ) -> tuple[NDArray[np.int64], dict[frozenset[str], float]]:
-    """The pairs (k, 2) without those of links that touch nearly everywhere: they touch by construction.
+    """The pairs (k, 2) without those of links that touch nearly everywhere, by construction, which are added to `left_out`.
 
-    Args:
-        robot: parts that it carries, and walls and tables of its MJCF, are never dropped.
-        own: the pairs.
-        touching: at how many of the samples two links touch.
-        left_out: gets the pairs that are dropped.
-
-    Also returns the share of the samples at which each two links touch that are checked, where there are any.
+    Parts that the robot carries, and walls and tables of its MJCF, stay. `touching` has the number of samples at which two
+    links touch. Also returns the share of the samples at which each two links touch that are checked, where there are any.
     """
     total, never = SAMPLES + 1, robot.carried.keys() | robot.world_geoms
     always = {names for names, count in touching.items() if count >= ALWAYS * total and not names & never}

@@ -31,14 +31,9 @@ def _functions(code: Kernel) -> Mapping[str, Callable[..., Any]]:
 def kernel_of(
     robot: Robot, objects: Sequence[pin.GeometryObject], pairs: Numbers, radii: Array, closed: Collection[int]
 ) -> "DistanceKernel":
-    """The kernel for pairs of bodies.
+    """The kernel for pairs (k, 2) of an arm's bodies and obstacles, the objects (g).
 
-    Args:
-        robot: the arm.
-        objects: its bodies and the obstacles.
-        pairs: (k, 2) indices of those that are checked.
-        radii: (g,) added all around each object [m].
-        closed: the objects that are surfaces and solid inside.
+    `radii` (g,) are added all around each [m]; `closed` are the indices of surfaces that are solid inside.
     """
     code = load_kernel("distances")
     return DistanceKernel(code, world_arrays(_functions(code)["tree"], robot, objects, pairs, radii, closed))

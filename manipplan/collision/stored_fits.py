@@ -102,13 +102,7 @@ def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[surfaces.MeshPart]
 
 
 def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], FitChoice]) -> FitChoice:
-    """How a robot's own pairs are checked, from the cache folder if an earlier process has chosen it.
-
-    Args:
-        robot: the arm.
-        samples: (m, n) configurations at which pairs are compared.
-        choose: makes the choice.
-    """
+    """What `choose` tells of a robot's own pairs at samples (m, n), or what an earlier process has stored of it."""
     bodies = [
         (item.name, robot.link_of(item), item.parentJoint, item.placement.homogeneous, _content(item.geometry))
         for item in robot.geometry.geometryObjects
