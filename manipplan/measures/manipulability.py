@@ -196,10 +196,6 @@ class _Transmission(JacobianMeasure):
         if np.size(self.direction) != m:
             raise InvalidInputError("direction", self.direction, f"{m} numbers, one per task row")
 
-    @property
-    def _unit_vector(self) -> ca.DM:
-        return ca.DM(np.array(self.direction))
-
 
 @dataclass(frozen=True, kw_only=True)
 class VelocityTransmission(Regularised, _Transmission):
@@ -226,7 +222,7 @@ class VelocityTransmission(Regularised, _Transmission):
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         lower = Factor.of(jacobian, self.regularisation).L
-        return 1 / ca.norm_2(ca.solve(lower, self._unit_vector))
+        return 1 / ca.norm_2(ca.solve(lower, ca.DM(self.direction)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -249,7 +245,7 @@ class ForceTransmission(_Transmission):
         return {"m": "1/m"}.get(row_unit(task), row_unit(task))
 
     def of(self, jacobian: ca.SX) -> ca.SX:
-        return 1 / ca.norm_2(jacobian.T @ self._unit_vector)
+        return 1 / ca.norm_2(jacobian.T @ ca.DM(self.direction))
 
 
 @dataclass(frozen=True, kw_only=True)
