@@ -195,12 +195,10 @@ TURN = np.pi * (3 - 5**0.5)
 
 
 def capsule_excess(start: Array, end: Array, radius: float, shape: coal.CollisionGeometry) -> float:
-    """The largest distance [m] by which a capsule sticks out of `shape`, measured at SAMPLES points.
+    """The largest distance by which a capsule of `radius` sticks out of `shape`, measured at SAMPLES points [m].
 
-    Args:
-        start, end: (3,) ends of its axis in the frame of the shape [m]; equal for a sphere.
-        radius: [m].
-        shape: that the capsule stands for; a mesh counts as solid where its triangles enclose a point.
+    The ends (3,) of its axis are in the frame of the shape, and equal for a sphere. A mesh counts as solid where its triangles
+    enclose a point.
     """
     points = capsule_points(start, end, radius)
     distances = distances_to(points, shape)
