@@ -6,6 +6,7 @@ The bodies of a robot as finely as a pair needs them: meshes as convex pieces, o
 import logging
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 
 import coal
@@ -82,10 +83,7 @@ class DescribedBodies:
             one, other = (bodies.numbers(*each) for each in zip(pair, levels, strict=True))
             first.append(len(body_pairs))
             body_pairs += [(i, j) for i in one for j in other]
-        model = CollisionModel(
-            self.robot, bodies.geometry, np.array(body_pairs, dtype=np.int64).reshape(-1, 2), {}, solids=bodies.solids
-        )
-        near = model.distance_rows(samples, beyond=TOUCHING) <= 0
+        near = bodies.touching(np.array(body_pairs, dtype=np.int64).reshape(-1, 2), samples)
         return [np.asarray(near[:, start:end].any(axis=1)) for start, end in pairwise([*first, len(body_pairs)])]
 
 
@@ -124,6 +122,11 @@ class Bodies:
                 if closed and isinstance(shape, coal.BVHModelBase):
                     self.solids.add(added[-1])
         return self._numbers[origin, level]
+
+    def touching(self, pairs: NDArray[np.int64], samples: Array) -> NDArray[np.bool_]:
+        """Whether each of pairs (k, 2) of bodies touches at each of the samples (m, n); (m, k)."""
+        model = CollisionModel(self._described.robot, self.geometry, pairs, {}, solids=self.solids)
+        return np.asarray(model.distance_rows(samples, beyond=TOUCHING) <= 0)
 
 
 #: Number of random configurations. Two links that touch in at least the share ALWAYS of them are not checked: they touch by
@@ -261,7 +264,6 @@ class _OwnBodies:
     """A robot's bodies, as finely as its pairs need them, and the pairs that can move relative to each other.
 
     Attributes:
-        bodies: what they are.
         count: number of those that are no finer than the others.
         links: the link or part of each body.
         pairs: (k, 2) numbers of the bodies of each pair that is checked.
@@ -274,16 +276,10 @@ class _OwnBodies:
     pairs: NDArray[np.int64]
     left_out: dict[tuple[str, str], str]
 
-    def is_of(self, names: frozenset[str]) -> NDArray[np.bool_]:
-        """Whether each pair is of two links."""
-        of_one, of_other = (np.array([link == name for link in self.links], dtype=bool) for name in names)
-        first, second = self.pairs.T
-        return np.asarray(of_one[first] & of_other[second] | of_other[first] & of_one[second])
-
-    def touching(self, robot: Robot, samples: Array) -> NDArray[np.bool_]:
-        """Whether each pair touches at each of the samples (m, n); (m, k)."""
-        model = CollisionModel(robot, self.bodies.geometry, self.pairs, {}, solids=self.bodies.solids)
-        return np.asarray(model.distance_rows(samples, beyond=TOUCHING) <= 0)
+    @cached_property
+    def names(self) -> list[frozenset[str]]:
+        """The two links of each pair."""
+        return [frozenset((self.links[i], self.links[j])) for i, j in self.pairs.tolist()]
 
 
 def _own_bodies(described: DescribedBodies, levels: Mapping[tuple[int, int], tuple[int, int]]) -> _OwnBodies:
@@ -357,17 +353,16 @@ def _choose(described: DescribedBodies, samples: Array) -> FitChoice:
     Finer are pairs whose pieces touch where their meshes do not: there are more pieces of one of the two, where that is enough,
     otherwise the meshes themselves.
     """
-    robot, own = described.robot, _own_bodies(described, {})
-    touching = own.touching(robot, samples)
+    own = _own_bodies(described, {})
+    touching = own.bodies.touching(own.pairs, samples)
     origins = own.bodies.origins
     levels = _levels(described, [(origins[i], origins[j]) for i, j in own.pairs.tolist()], samples, touching)
     if levels:
         own = _own_bodies(described, levels)
-        touching = own.touching(robot, samples)
+        touching = own.bodies.touching(own.pairs, samples)
     anywhere: dict[frozenset[str], NDArray[np.bool_]] = {}
     for k in np.flatnonzero(touching.any(axis=0)):
-        names = frozenset(own.links[body] for body in own.pairs[k])
-        anywhere[names] = anywhere.get(names, np.zeros(len(touching), dtype=bool)) | touching[:, k]
+        anywhere[own.names[k]] = anywhere.get(own.names[k], np.zeros(len(touching), dtype=bool)) | touching[:, k]
     return FitChoice(levels=levels, touching={names: int(rows.sum()) for names, rows in anywhere.items()})
 
 
@@ -376,11 +371,7 @@ def _levels(
 ) -> dict[tuple[int, int], tuple[int, int]]:
     """How finely the two objects of each pair are taken whose pieces are too coarse.
 
-    Args:
-        described: the objects.
-        stands_for: (k) the two objects that each pair of pieces represents.
-        samples: (m, n) configurations.
-        touching: (m, k) whether each pair of pieces touches there.
+    `stands_for` (k) has the objects of each pair of pieces, and `touching` (m, k) whether these touch at samples (m, n).
     """
     rows = np.flatnonzero(touching.any(axis=1))
     touch = dict.fromkeys(stands_for[k] for k in np.flatnonzero(touching.any(axis=0)))
@@ -420,29 +411,22 @@ def _is_coarse(by_pieces: NDArray[np.bool_], by_mesh: NDArray[np.bool_], rows: N
 def _drop_always_touching(
     robot: Robot, own: _OwnBodies, touching: Mapping[frozenset[str], int], left_out: dict[tuple[str, str], str]
 ) -> tuple[NDArray[np.int64], dict[frozenset[str], float]]:
-    """The pairs (k, 2) without those of links that touch nearly everywhere: they touch by construction.
+    """The pairs (k, 2) without those of links that touch nearly everywhere, by construction, which are added to `left_out`.
 
-    Args:
-        robot: parts that it carries, and walls and tables of its MJCF, are never dropped.
-        own: the pairs.
-        touching: at how many of the samples two links touch.
-        left_out: gets the pairs that are dropped.
-
-    Also returns the share of the samples at which each two links touch that are checked, where there are any.
+    Parts that the robot carries, and walls and tables of its MJCF, stay. `touching` has the number of samples at which two
+    links touch. Also returns the share of the samples at which each two links touch that are checked, where there are any.
     """
     total, never = SAMPLES + 1, robot.carried.keys() | robot.world_geoms
-    always = [names for names, count in touching.items() if count >= ALWAYS * total and not names & never]
+    always = {names for names, count in touching.items() if count >= ALWAYS * total and not names & never}
     if always:
         listed = "; ".join(sorted(" and ".join(sorted(names)) for names in always)[:12])
         log.info("%s: not checked, as they touch nearly everywhere (robot.self_collisions lists all): %s", robot.name, listed)
-    drop = np.zeros(len(own.pairs), dtype=bool)
-    for names in always:
-        drop |= own.is_of(names)
     objects = own.bodies.geometry.geometryObjects
-    for first, second in own.pairs[drop].tolist():
-        names = frozenset((own.links[first], own.links[second]))
-        left_out[objects[second].name, objects[first].name] = f"touching at {touching[names]} of {total} configurations"
-    return own.pairs[~drop], {names: count / total for names, count in touching.items() if names not in always}
+    for (first, second), names in zip(own.pairs.tolist(), own.names, strict=True):
+        if names in always:
+            left_out[objects[second].name, objects[first].name] = f"touching at {touching[names]} of {total} configurations"
+    kept = np.array([names not in always for names in own.names], dtype=bool)
+    return own.pairs[kept], {names: count / total for names, count in touching.items() if names not in always}
 
 
 def _by_links(own: _OwnBodies, pairs: NDArray[np.int64], left_out: dict[tuple[str, str], str]) -> dict[tuple[str, str], str]:

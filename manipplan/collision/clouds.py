@@ -31,24 +31,18 @@ TRIANGLE = TINY / np.sqrt(6.0) * np.array([[2.0, -1.0, -1.0], [-1.0, 2.0, -1.0],
 MOST_POINTS, MOST_KEPT = 5_000_000, 500_000
 
 
-def near_points(argument: str, points: Array) -> Array:
-    """Points (k, 3); raises InvalidInputError when there is none, or one is farther away than `FARTHEST`."""
+def thinned(argument: str, points: Array, spacing: float) -> Array:
+    """Of points (k, 3), the first in each cube of edge `spacing` [m]; all of them for 0.
+
+    Raises InvalidInputError when there is none, one is farther away than `FARTHEST`, or there are too many.
+    """
     if not len(points):
         raise InvalidInputError(argument, "no points", "at least one point")
     if len(points) > MOST_POINTS:
         raise InvalidInputError(argument, f"{len(points):,} points", f"at most {MOST_POINTS:,}")
-    if not np.abs(points).max() <= FARTHEST:
-        raise InvalidInputError(
-            argument, f"a point at {np.abs(points).max():g} m", f"points within {FARTHEST:g} m of the origin"
-        )
-    return points
-
-
-def thinned(argument: str, points: Array, spacing: float) -> Array:
-    """Of points (k, 3), the first in each cube of edge `spacing` [m]; all of them for 0.
-
-    Raises InvalidInputError when more than `MOST_KEPT` are left.
-    """
+    farthest = np.abs(points).max()
+    if not farthest <= FARTHEST:
+        raise InvalidInputError(argument, f"a point at {farthest:g} m", f"points within {FARTHEST:g} m of the origin")
     if spacing != 0.0:
         points = np.asarray(points[np.sort(first_of_rows(np.floor(points / max(spacing, MERGED)))[0])])
     if len(points) > MOST_KEPT:

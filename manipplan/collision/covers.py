@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from manipplan.collision.surfaces import winding_number
 from manipplan.collision.world import Primitive, mesh_triangles, outside
 from manipplan.robots.hulls import Hull, convex_hull, find_hull, outer_hull, sort_rows
+from manipplan.robots.mesh_files import triangle_tree
 from manipplan.support.checks import Array
 from manipplan.support.errors import ManipplanError
 
@@ -62,7 +63,7 @@ def enclose(triangles: Array, *, refine: bool = True, boxes: bool = True) -> Pri
     points = _hull_points(triangles.reshape(-1, 3))
     axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=len(points) < 3)[2]  # (3, 3) also for two points
     axes[2] *= np.linalg.det(axes)
-    capsule = min((_capsule(points, _frame(axis)) for axis in axes), key=attrgetter("volume"))
+    capsule = min((_capsule(points, frame_along(axis)) for axis in axes), key=attrgetter("volume"))
     if refine:
         capsule = _fit_turned(_capsule, points, capsule)
     found = [capsule, _sphere(points)]
@@ -138,7 +139,8 @@ def _fit_turned(fit: Callable[[Array, Array], Primitive], points: Array, start: 
     return min([start, turned(found.x)], key=attrgetter("volume"))
 
 
-def _frame(z: Array) -> Array:
+def frame_along(z: Array) -> Array:
+    """A frame (3, 3), its axes as columns, with z along a vector (3,)."""
     z = z / np.linalg.norm(z)
     x = np.cross(z, np.eye(3)[np.argmin(np.abs(z))])
     x /= np.linalg.norm(x)
@@ -193,12 +195,10 @@ TURN = np.pi * (3 - 5**0.5)
 
 
 def capsule_excess(start: Array, end: Array, radius: float, shape: coal.CollisionGeometry) -> float:
-    """The largest distance [m] by which a capsule sticks out of `shape`, measured at SAMPLES points.
+    """The largest distance by which a capsule of `radius` sticks out of `shape`, measured at SAMPLES points [m].
 
-    Args:
-        start, end: (3,) ends of its axis in the frame of the shape [m]; equal for a sphere.
-        radius: [m].
-        shape: that the capsule stands for; a mesh counts as solid where its triangles enclose a point.
+    The ends (3,) of its axis are in the frame of the shape, and equal for a sphere. A mesh counts as solid where its triangles
+    enclose a point.
     """
     points = capsule_points(start, end, radius)
     distances = distances_to(points, shape)
@@ -217,16 +217,14 @@ def capsule_excess(start: Array, end: Array, radius: float, shape: coal.Collisio
 def capsule_points(start: Array, end: Array, radius: float) -> Array:
     """SAMPLES points spread evenly over a capsule, and its two poles (k, 3) [m]."""
     length = float(np.linalg.norm(end - start))
-    axis = (end - start) / length if length > 0 else np.array([0.0, 0.0, 1.0])
-    side = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
-    side /= np.linalg.norm(side)
+    side, up, axis = frame_along(end - start if length > 0 else np.array([0.0, 0.0, 1.0])).T
     reach = length / 2 + radius
     # as on a ball, the area between two planes normal to the axis is that of the cylinder around it
     along = np.concatenate([reach * (2 * (np.arange(SAMPLES) + 0.5) / SAMPLES - 1), [-reach, reach]])
     beyond = np.maximum(np.abs(along) - length / 2, 0.0)
     around = np.sqrt(np.maximum(radius**2 - beyond**2, 0.0))
     turn = TURN * np.arange(len(along))
-    circle = np.cos(turn)[:, None] * side + np.sin(turn)[:, None] * np.cross(axis, side)
+    circle = np.cos(turn)[:, None] * side + np.sin(turn)[:, None] * up
     return np.asarray((start + end) / 2 + along[:, None] * axis + around[:, None] * circle)
 
 
@@ -383,14 +381,7 @@ class _WholeMesh:
 
     def __init__(self, triangles: Array) -> None:
         self._triangles = triangles
-        self._surface = coal.BVHModelOBBRSS()
-        self._surface.beginModel(len(triangles), 3 * len(triangles))
-        self._surface.addVertices(triangles.reshape(-1, 3))
-        self._surface.addTriangles(np.arange(3 * len(triangles)).reshape(-1, 3))
-        self._surface.endModel()
-        # a box, since coal's distance of a sphere from a degenerate triangle is wrong
-        self._point, self._pose, self._still = coal.Box(1e-9, 1e-9, 1e-9), coal.Transform3s(), coal.Transform3s()
-        self._request, self._result = coal.DistanceRequest(), coal.DistanceResult()
+        self._surface = triangle_tree(triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))
 
     def excess(self, faces: Array, cuts: Sequence[Plane]) -> tuple[float, Array]:
         """The largest distance of sampled points on `faces` (f, 3, 3) outside the mesh [m], and that point.
@@ -398,7 +389,7 @@ class _WholeMesh:
         A point of a hull is outside the mesh or on it, except on a cut, where it may be inside.
         """
         points = _sample(faces)
-        distances = np.array([self._distance(point) for point in points])
+        distances = distances_to(points, self._surface)
         on_cut = np.zeros(len(points), dtype=bool)
         for axis, offset in cuts:
             on_cut |= np.abs(points @ axis - offset) < 1e-7
@@ -421,11 +412,6 @@ class _WholeMesh:
 
     def _contains(self, point: Array) -> bool:
         return bool(abs(winding_number(self._triangles, point[None])[0]) > 0.5)
-
-    def _distance(self, point: Array) -> float:
-        self._pose.setTranslation(point)
-        self._result.clear()
-        return float(coal.distance(self._point, self._pose, self._surface, self._still, self._request, self._result))
 
 
 def _sample(faces: Array) -> Array:

@@ -31,63 +31,50 @@ def _functions(code: Kernel) -> Mapping[str, Callable[..., Any]]:
 def kernel_of(
     robot: Robot, objects: Sequence[pin.GeometryObject], pairs: Numbers, radii: Array, closed: Collection[int]
 ) -> "DistanceKernel":
-    """The kernel for pairs of bodies.
+    """The kernel for pairs (k, 2) of an arm's bodies and obstacles, the objects (g).
 
-    Args:
-        robot: the arm.
-        objects: its bodies and the obstacles.
-        pairs: (k, 2) indices of those that are checked.
-        radii: (g,) added all around each object [m].
-        closed: the objects that are surfaces and solid inside.
+    `radii` (g,) are added all around each [m]; `closed` are the indices of surfaces that are solid inside.
     """
     code = load_kernel("distances")
     return DistanceKernel(code, world_arrays(_functions(code)["tree"], robot, objects, pairs, radii, closed))
 
 
 class DistanceKernel:
-    """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own."""
+    """Checks of one collision model by compiled code. Threads take turns, since it holds working memory; `copy` has its own.
+
+    Attributes:
+        n: length of a configuration.
+        pairs: number of pairs.
+        world: the address of `World` of distances.c, for compiled code that uses it while no other thread does.
+    """
 
     def __init__(self, code: Kernel, arrays: Mapping[str, NDArray[Any]]) -> None:
         self._code, self._call = code, _functions(code)
-        joints, self._n, self._bodies = len(arrays["axes"]), int(arrays["leader"].max(initial=-1)) + 1, arrays["pair_bodies"]
+        joints, self.n, self._bodies = len(arrays["axes"]), int(arrays["leader"].max(initial=-1)) + 1, arrays["pair_bodies"]
+        self.pairs = len(self._bodies)
         self._arrays = dict(arrays) | {
             "frames": np.empty((joints + 1, 12)),
             "centres": arrays["ball"][:, :3].copy(),
-            "least": np.full(len(self._bodies), np.inf),
-            "found": np.empty(len(self._bodies), dtype=np.int64),
-            "guess": np.zeros((len(self._bodies), GUESS)),
+            "least": np.full(self.pairs, np.inf),
+            "found": np.empty(self.pairs, dtype=np.int64),
+            "guess": np.zeros((self.pairs, GUESS)),
         }
         numbers = {
             "n": joints,
-            "entries": self._n,
+            "entries": self.n,
             "bodies": len(arrays["joint"]),
             "selves": len(arrays["self"]),
             "movers": len(arrays["mover"]),
             "groups": len(arrays["group"]),
-            "pairs": len(self._bodies),
+            "pairs": self.pairs,
             "top": int(arrays["top"][0]),
         }
         pointers = {name: array.ctypes.data for name, array in self._arrays.items() if name not in ("pair_bodies", "top")}
         self._world = struct("distances", "World")(**numbers, **pointers)
-        self._at = ctypes.addressof(self._world)
+        self.world = ctypes.addressof(self._world)
         self._lock = threading.Lock()
-        self._q = np.zeros(self._n)
+        self._q = np.zeros(self.n)
         self._q_at, self._check_one = self._q.ctypes.data, self._call["check_one"]
-
-    @property
-    def world(self) -> int:
-        """The address of `World` of distances.c, for compiled code that uses it while no other thread does."""
-        return self._at
-
-    @property
-    def n(self) -> int:
-        """Length of a configuration."""
-        return self._n
-
-    @property
-    def pairs(self) -> int:
-        """Number of pairs."""
-        return len(self._bodies)
 
     def address(self, name: str) -> int:
         """The address of the function `manipplan_` and a name."""
@@ -105,22 +92,25 @@ class DistanceKernel:
         """FREE, TOUCHING or UNDECIDED at q (n,): whether any pair is as near as `clearance` [m]."""
         with self._lock:
             self._q[:] = q
-            return int(self._check_one(self._at, self._q_at, clearance))
+            return int(self._check_one(self.world, self._q_at, clearance))
+
+    def _run(self, name: str, *arguments: Any) -> Any:
+        """Call a function of distances.c with the world; it gets the addresses of arrays."""
+        given = [each.ctypes.data if isinstance(each, np.ndarray) else each for each in arguments]
+        with self._lock:
+            return self._call[name](self.world, *given)
 
     def check_rows(self, q: Array, clearance: float) -> NDArray[np.int8]:
         """The same for every row of q (m, n)."""
-        q = np.ascontiguousarray(q, dtype=float)
-        verdicts = np.empty(len(q), dtype=np.int8)
-        with self._lock:
-            self._call["check"](self._at, q.ctypes.data, len(q), clearance, verdicts.ctypes.data)
+        q, verdicts = np.ascontiguousarray(q, dtype=float), np.empty(len(q), dtype=np.int8)
+        self._run("check", q, len(q), clearance, verdicts)
         return verdicts
 
     def distances(self, q: Array, reach: Array) -> Array:
         """Distances (m, k) of all pairs at q (m, n), cut off at `reach` (m,) >= 0 [m]; nan where this kernel cannot tell."""
         q, reach = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float)
-        found = np.empty((len(q), len(self._bodies)))
-        with self._lock:
-            self._call["distances"](self._at, q.ctypes.data, len(q), reach.ctypes.data, found.ctypes.data)
+        found = np.empty((len(q), self.pairs))
+        self._run("distances", q, len(q), reach, found)
         return found
 
     def near(self, q: Array, reach: Array) -> tuple[Numbers, Array]:
@@ -131,9 +121,7 @@ class DistanceKernel:
         q, reach, room = np.ascontiguousarray(q, dtype=float), np.ascontiguousarray(reach, dtype=float), ROOM * len(q)
         while True:
             where, found = np.empty(room, dtype=np.int64), np.empty(room)
-            arguments = (q.ctypes.data, len(q), reach.ctypes.data, room, where.ctypes.data, found.ctypes.data)
-            with self._lock:
-                count = int(self._call["near"](self._at, *arguments))
+            count = int(self._run("near", q, len(q), reach, room, where, found))
             if count <= room:
                 order = np.argsort(where[:count], kind="stable")
                 return where[:count][order], found[:count][order]
@@ -146,8 +134,7 @@ class DistanceKernel:
         """
         q, least, row, pair = np.ascontiguousarray(q, dtype=float), ctypes.c_double(), ctypes.c_long(), ctypes.c_long()
         results = [ctypes.addressof(each) for each in (least, row, pair)]
-        with self._lock:
-            known = self._call["least"](self._at, q.ctypes.data, len(q), reach, coarse, *results)
+        known = self._run("least", q, len(q), reach, coarse, *results)
         return (least.value, row.value, pair.value) if known else None
 
     def pair_distances(self, q: Array, pairs: Numbers, reach: Array) -> Array:
@@ -162,27 +149,18 @@ class DistanceKernel:
     ) -> tuple[Array, Array]:
         """The same, with lower bounds (m,) of the distances while the joints move, as `manipplan_intervals` says."""
         order = np.argsort(pairs, kind="stable")  # the nearest triangle of a pair is a first guess for the next
-        arrays = [np.ascontiguousarray(each[order], dtype=float) for each in (q, slopes, reach, bends, motions)]
-        inputs, bodies = [each.ctypes.data for each in arrays], self.bodies(pairs[order])
+        q, slopes, *others = (np.ascontiguousarray(each[order], dtype=float) for each in (q, slopes, reach, bends, motions))
         found, bound = np.empty(len(q)), np.empty(len(q))
-        with self._lock:
-            self._call["intervals"](
-                self._at, *inputs[:2], len(q), bodies.ctypes.data, *inputs[2:], found.ctypes.data, bound.ctypes.data
-            )
+        self._run("intervals", q, slopes, len(q), self.bodies(pairs[order]), *others, found, bound)
         found[order], bound[order] = found.copy(), bound.copy()
         return found, bound
 
     def witnesses(self, q: Array, pairs: Numbers, leaves: Numbers) -> Array:
         """For pairs (m,) at q (m, n), (m, 13 + n): as `manipplan_witnesses` says; nan where this kernel cannot tell."""
         order = np.argsort(pairs, kind="stable")
-        q, bodies, leaves = (
-            np.ascontiguousarray(q[order], dtype=float),
-            self.bodies(pairs[order]),
-            np.ascontiguousarray(leaves[order]),
-        )
-        found = np.empty((len(q), 13 + self._n))
-        with self._lock:
-            self._call["witnesses"](self._at, q.ctypes.data, len(q), bodies.ctypes.data, leaves.ctypes.data, found.ctypes.data)
+        q, leaves = np.ascontiguousarray(q[order], dtype=float), np.ascontiguousarray(leaves[order])
+        found = np.empty((len(q), 13 + self.n))
+        self._run("witnesses", q, len(q), self.bodies(pairs[order]), leaves, found)
         found[order] = found.copy()
         return found
 
@@ -193,8 +171,6 @@ class DistanceKernel:
         return self._arrays["corners"][leaf].reshape(3, 3) if leaf >= 0 else None
 
     def _pairs(self, q: Array, bodies: Numbers, reach: Array) -> tuple[Array, Numbers]:
-        found, leaf, reach = np.empty(len(q)), np.empty(len(q), dtype=np.int64), np.ascontiguousarray(reach, dtype=float)
-        arguments = (q.ctypes.data, len(q), bodies.ctypes.data, reach.ctypes.data, found.ctypes.data, leaf.ctypes.data)
-        with self._lock:
-            self._call["pairs"](self._at, *arguments)
+        found, leaf = np.empty(len(q)), np.empty(len(q), dtype=np.int64)
+        self._run("pairs", q, len(q), bodies, np.ascontiguousarray(reach, dtype=float), found, leaf)
         return found, leaf

@@ -23,6 +23,7 @@ from manipplan.robots.mesh_files import triangle_tree
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.errors import InvalidInputError
+from manipplan.support.memo import state_without_memo
 
 #: Distance below which two bodies touch, for messages [m].
 CONTACT = 1e-6
@@ -224,19 +225,11 @@ class CollisionModel:
 
     def copy(self) -> "CollisionModel":
         """A copy with its own working data, for another thread."""
-        copied = CollisionModel(
-            self.robot,
-            self._geometry,
-            self.pairs,
-            self.dropped,
-            bodies=self.bodies,
-            excess=self.excess,
-            radii=self.radii,
-            solids=self.solids,
-            links=self.links,
-            contacts=self.contacts,
-        )
-        copied.__dict__["_kernel"] = self.kernel_copy()
+        copied = object.__new__(CollisionModel)
+        vars(copied).update(state_without_memo(self))
+        for name in ("geometry", "_geometry_data"):  # made anew
+            vars(copied).pop(name, None)
+        vars(copied).update(_data=self.robot.model.createData(), _margin=np.nan, _kernel=self.kernel_copy())
         return copied
 
     def kernel_copy(self) -> DistanceKernel:

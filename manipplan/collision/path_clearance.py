@@ -100,12 +100,9 @@ class BodyMotion:
         }
 
     def motion(self, q: Array, change: Array, rows: BodyIndices, pairs: BodyIndices) -> Array:
-        """Upper bound (1) on the motion of the two bodies of a pair towards each other, (e,) [m].
+        """Upper bound (1) on the motion of the two bodies of pairs (e,) towards each other, (e,) [m].
 
-        Args:
-            q: (m, n) configurations.
-            change: (m, n) maximum distance of each joint from there [rad or m].
-            rows, pairs: (e,) indices of the configuration and of the pair.
+        Each joint stays within `change` (m, n) [rad or m] of its configuration, the one of `rows` (e,) of q (m, n).
         """
         found = self._by_kernel(q, change, None, rows, pairs)
         return self._motion_by_numpy(q, change, rows, pairs) if found is None else found[0]
@@ -270,17 +267,10 @@ class PathClearance:
 def path_clearance(
     model: CollisionModel, path: JointPath, *, clearance: float = 0.0, tolerance: float | None = 1e-3
 ) -> PathClearance:
-    """Prove a lower bound of the distance of every pair on a whole path.
+    """Prove a lower bound of the distance of every pair on a whole path, as `Scene.path_clearance`.
 
-    Args:
-        model: the robot among its obstacles.
-        path: of the robot's joints.
-        clearance: required clearance [m].
-        tolerance: maximum `upper` - `lower` [m], at least 1e-4; smaller where that proves that the path keeps `clearance`.
-            None: the search ends as soon as that is proven or refuted.
-
-    Raises:
-        InvalidInputError: the path is not of this robot's joints, or a number is invalid.
+    The gap of the bounds is smaller than `tolerance` [m] where that proves that the path keeps `clearance` [m]; with None the
+    search ends as soon as that is proven or refuted.
     """
     n = model.robot.n
     if instance("path", path, JointPath).n != n:

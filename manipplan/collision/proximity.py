@@ -72,25 +72,10 @@ class ProximitySamples:
     leaves: NDArray[np.intp]
     is_bottom: NDArray[np.bool_]
 
-    @classmethod
-    def of(cls, *found: "ProximitySamples") -> "ProximitySamples":
-        """All that was found, in order."""
-        kinds = {"distances": float, "s": float, "pairs": np.intp, "leaves": np.intp, "is_bottom": bool}
-        all_found = {
-            name: np.concatenate([np.empty(0, dtype=kind), *(getattr(each, name) for each in found)])
-            for name, kind in kinds.items()
-        }
-        order = np.lexsort([all_found[name] for name in ("is_bottom", "leaves", "pairs", "s", "distances")])
-        return cls(**{name: values[order] for name, values in all_found.items()})
-
     @property
     def least(self) -> float:
         """The smallest distance [m]; inf where nothing is near."""
         return float(self.distances[0]) if len(self.distances) else np.inf
-
-
-#: What is found where nothing is near.
-NOTHING = ProximitySamples.of()
 
 
 class DistanceSearch:

@@ -8,7 +8,8 @@ The static bodies of a MuJoCo model (MJCF) are read by MuJoCo itself.
 
 import itertools
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -55,6 +56,31 @@ def triangles_of(argument: str, vertices: Array, corners: Array) -> Array:
     return np.asarray(vertices[corners.astype(int)])
 
 
+#: Number of sizes of the primitives of MoveIt.
+SIZES = {"box": 3, "sphere": 1, "cylinder": 2}
+
+
+def primitive(kind: str, sizes: Array, **options: Any) -> Obstacle:
+    """A box of three edges, a sphere of a radius, or a cylinder or capsule of radius and length [m]."""
+    if kind == "box":
+        return Box(size=sizes, **options)
+    if kind == "sphere":
+        return Sphere(radius=float(sizes[0]), **options)
+    shape = Cylinder if kind == "cylinder" else Capsule
+    return shape(radius=float(sizes[0]), length=float(sizes[1]), **options)
+
+
+@contextmanager
+def _errors_of(where: str) -> Iterator[None]:
+    """Turn an InvalidInputError in this block into a FileFormatError that says where the fault is."""
+    try:
+        yield
+    except (FileFormatError, UnknownNameError):
+        raise
+    except InvalidInputError as error:
+        raise FileFormatError("file", f"{where}, {error.argument}: {error.value}", error.allowed) from error
+
+
 TEXT_SHAPES = ("box", "sphere", "cylinder", "plane", "mesh")
 #: Number of values of a colour: red, green, blue, opacity.
 COLOUR = 4
@@ -82,12 +108,8 @@ def read_scene_text(file: Path) -> list[tuple[str, list[Obstacle]]]:
     for first, last in itertools.pairwise([*starts, ends[0]]):
         name = lines[first][1:].strip()
         where = f"{file}, object {name}"
-        try:
+        with _errors_of(where):
             objects.append((name, _Words(where, lines[first + 1 : last]).shapes()))
-        except (FileFormatError, UnknownNameError):
-            raise
-        except InvalidInputError as error:
-            raise FileFormatError("file", f"{where}, {error.argument}: {error.value}", error.allowed) from error
     return objects
 
 
@@ -118,13 +140,8 @@ class _Words:
 
     def _shape(self) -> Obstacle:
         kind = self._word("a shape").lower()
-        if kind == "box":
-            return Box(size=self._numbers("a box", 3))
-        if kind == "sphere":
-            return Sphere(radius=self._numbers("a sphere", 1)[0])
-        if kind == "cylinder":
-            radius, length = self._numbers("a cylinder", 2)
-            return Cylinder(radius=radius, length=length)
+        if kind in SIZES:
+            return primitive(kind, self._numbers(f"a {kind}", SIZES[kind]))
         if kind == "plane":
             return half_space("plane", self._numbers("a plane", 4))
         if kind == "mesh":
@@ -214,12 +231,8 @@ def read_planning_scene(file: Path, packages: Packages) -> Contents:
         FileFormatError: the file holds something else; the message names the entry.
         UnknownNameError: a shape that this package does not have, such as a cone, or an unknown package.
     """
-    try:
+    with _errors_of(str(file)):
         return _read(file, packages)
-    except (FileFormatError, UnknownNameError):
-        raise
-    except InvalidInputError as error:
-        raise FileFormatError("file", f"{file}, {error.argument}: {error.value}", error.allowed) from error
 
 
 def _read(file: Path, packages: Packages) -> Contents:
@@ -296,10 +309,8 @@ def _primitive(where: str, given: Mapping[str, Any]) -> Obstacle:
     kind = PRIMITIVES.get(kind, str(kind)) if isinstance(kind, int) else str(kind).lower()
     if kind not in PRIMITIVES.values():
         raise UnknownNameError(f"{where}.type", kind, [*PRIMITIVES.values(), *map(str, PRIMITIVES)])
-    sizes = finite_array(f"{where}.dimensions", given.get("dimensions", ()), ({"box": 3, "sphere": 1, "cylinder": 2}[kind],))
-    if kind == "box":
-        return Box(size=sizes)
-    return Sphere(radius=float(sizes[0])) if kind == "sphere" else Cylinder(length=float(sizes[0]), radius=float(sizes[1]))
+    sizes = finite_array(f"{where}.dimensions", given.get("dimensions", ()), (SIZES[kind],))
+    return primitive(kind, sizes[::-1] if kind == "cylinder" else sizes)  # a cylinder's length comes first
 
 
 def _mesh(where: str, given: Mapping[str, Any], file: Path, packages: Packages) -> Obstacle:
@@ -421,20 +432,15 @@ def read_static_bodies(file: Path) -> list[Obstacle]:
                 surfaces[data] = Mesh(triangles=vertices[faces])
             obstacles.append(surfaces[data].at(pose).called(name))
         else:
-            obstacles.append(_obstacle(name, shape, [float(each) for each in mj.geom_size[k]], pose))
+            obstacles.append(_obstacle(name, shape, np.array(mj.geom_size[k], dtype=float), pose))
     return obstacles
 
 
-def _obstacle(name: str, shape: str, size: Sequence[float], pose: pin.SE3) -> Obstacle:
+def _obstacle(name: str, shape: str, size: Array, pose: pin.SE3) -> Obstacle:
+    """What a geom is; MuJoCo gives half the edges of a box, and half the length of a cylinder or capsule."""
     at: dict[str, Any] = {"name": name, "position": pose.translation, "rotation": pose.rotation}
     if shape == "plane":
         return Plane(**at)
-    if shape == "sphere":
-        return Sphere(radius=size[0], **at)
-    if shape == "capsule":
-        return Capsule(radius=size[0], length=2 * size[1], **at)
-    if shape == "cylinder":
-        return Cylinder(radius=size[0], length=2 * size[1], **at)
-    if shape == "box":
-        return Box(size=[2 * value for value in size], **at)
-    raise UnknownNameError(f"shape of the geom {name}", shape, TAKEN)
+    if shape not in TAKEN:
+        raise UnknownNameError(f"shape of the geom {name}", shape, TAKEN)
+    return primitive(shape, size * (2.0 if shape == "box" else [1.0, 2.0, 1.0]), **at)

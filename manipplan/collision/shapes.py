@@ -7,6 +7,7 @@ import copy
 import logging
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import product
 from pathlib import Path
 from typing import Any, ClassVar, Literal, Self
@@ -240,15 +241,11 @@ class Part:
         """Pickle the triangles of a tree, not the tree: coal writes 1.7 kB for each."""
         if isinstance(self.shape, coal.BVHModelBase):
             return _part_of_triangles, (mesh_triangles(self.shape), self.radius, self.closed)
-        return _part_of_shape, (self.shape, self.radius, self.closed)
+        return partial(Part, shape=self.shape, radius=self.radius, closed=self.closed), ()
 
 
 def _part_of_triangles(triangles: Array, radius: float, closed: bool) -> Part:
     return Part(shape=triangle_tree(*surfaces.merge_corners(triangles)), radius=radius, closed=closed)
-
-
-def _part_of_shape(shape: coal.CollisionGeometry, radius: float, closed: bool) -> Part:
-    return Part(shape=shape, radius=radius, closed=closed)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -514,7 +511,7 @@ class PointCloud(Obstacle):
             object.__setattr__(self, "file", existing_file(argument, self.file))
             points = clouds.read_points(argument, Path(self.file))
         try:
-            thinned = clouds.thinned(argument, clouds.near_points(argument, points), self.spacing)
+            thinned = clouds.thinned(argument, points, self.spacing)
         except InvalidInputError as error:
             if self.file is None:
                 raise

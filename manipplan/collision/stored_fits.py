@@ -16,21 +16,17 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from manipplan.collision import covers, surfaces
-from manipplan.collision.world import Primitive, mesh_key, mesh_triangles, outside
+from manipplan.collision.world import Primitive, mesh_key, mesh_triangles
 from manipplan.robots import hulls
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, pose_matrix
+from manipplan.support.checks import Array
 from manipplan.support.compiler import log_when_slow
 from manipplan.support.errors import InvalidInputError
-from manipplan.support.files import private_folder, write_bytes, write_text
+from manipplan.support.files import private_folder, write_bytes
 from manipplan.support.kernel_library import FOLDER
 from manipplan.support.memo import content_key
 
 log = logging.getLogger("manipplan")
-
-#: Class of each stored shape, and its number of sizes.
-SHAPES = {"Sphere": (coal.Sphere, 1), "Capsule": (coal.Capsule, 2)}
-
 
 #: Corners (v, 3) and faces (f, 3) of a body, and two numbers that say more.
 _Stored = tuple[Array, NDArray[np.int64], float, float]
@@ -66,24 +62,14 @@ class FitChoice:
 def find_or_fit(triangles: Array) -> list[Primitive]:
     """The capsules of `fit_capsules`, read from the cache folder if an earlier process stored them.
 
-    Stored capsules are used only if they contain every triangle; otherwise they are fitted again. Raises ManipplanError as
-    `fit_capsules` does.
+    Raises ManipplanError as `fit_capsules` does.
     """
-    try:
-        file = private_folder() / "capsules" / f"{_key(np.ascontiguousarray(triangles).data)}.json"
-        file.parent.mkdir(mode=0o700, exist_ok=True)
-        stored = _read(file)
-    except OSError as error:
-        log.info("fitted capsules are not kept on disk: %s", error)
-        return covers.fit_capsules(triangles)
-    if stored is not None and _contain(stored, covers.subdivide(triangles)):
-        return stored
-    fitted = covers.fit_capsules(triangles)
-    try:
-        write_text(file, json.dumps([_plain(each) for each in fitted]))
-    except InvalidInputError as error:
-        log.info("fitted capsules are not kept on disk: %s", error)
-    return fitted
+
+    def fit() -> bytes:
+        return json.dumps([_plain(each) for each in covers.fit_capsules(triangles)]).encode()
+
+    stored = _find_or_make("capsules", _key(np.ascontiguousarray(triangles).data), fit)
+    return [_primitive(*entry) for entry in json.loads(stored)]
 
 
 def find_or_cut(mesh: coal.BVHModelBase, name: str, most: int = covers.MOST_PIECES) -> list[covers.Piece]:
@@ -116,13 +102,7 @@ def find_or_split(mesh: coal.BVHModelBase, name: str) -> list[surfaces.MeshPart]
 
 
 def find_or_choose(robot: Robot, samples: Array, choose: Callable[[], FitChoice]) -> FitChoice:
-    """How a robot's own pairs are checked, from the cache folder if an earlier process has chosen it.
-
-    Args:
-        robot: the arm.
-        samples: (m, n) configurations at which pairs are compared.
-        choose: makes the choice.
-    """
+    """What `choose` tells of a robot's own pairs at samples (m, n), or what an earlier process has stored of it."""
     bodies = [
         (item.name, robot.link_of(item), item.parentJoint, item.placement.homogeneous, _content(item.geometry))
         for item in robot.geometry.geometryObjects
@@ -196,35 +176,14 @@ def _sources() -> bytes:
     return hashlib.sha256(np.__version__.encode() + sources).digest()
 
 
-def _read(file: Path) -> list[Primitive] | None:
-    """The capsules of a file; None if there is no file, or it holds something else."""
-    try:
-        return [_primitive(entry) for entry in json.loads(file.read_text())]
-    except FileNotFoundError:
-        return None
-    except (InvalidInputError, ValueError, TypeError, LookupError) as error:
-        log.debug("%s is fitted again: %s", file, error)
-        return None
-
-
-def _contain(primitives: list[Primitive], triangles: Array) -> bool:
-    """Whether each triangle (t, 3, 3) lies inside one of the primitives."""
-    inside = np.zeros(len(triangles), dtype=bool)
-    for primitive in primitives:
-        inside |= (outside(primitive, triangles.reshape(-1, 3)) == 0).reshape(-1, 3).all(axis=1)
-    return bool(inside.all())
-
-
-def _plain(primitive: Primitive) -> dict[str, Any]:
+def _plain(primitive: Primitive) -> list[Any]:
+    """Radius and, of a capsule, length; pose and volume."""
     shape = primitive.shape
     sizes = [shape.radius] if isinstance(shape, coal.Sphere) else [shape.radius, 2 * shape.halfLength]
-    pose = primitive.placement.homogeneous.tolist()
-    return {"shape": type(shape).__name__, "sizes": sizes, "pose": pose, "volume": primitive.volume}
+    return [sizes, primitive.placement.homogeneous.tolist(), primitive.volume]
 
 
-def _primitive(entry: Any) -> Primitive:
-    kind, count = SHAPES[entry["shape"]]
-    sizes, pose = np.array(entry["sizes"], dtype=float), pose_matrix("pose", entry["pose"])
-    if sizes.shape != (count,) or not (sizes >= 0).all():
-        raise ValueError(f"sizes {sizes.tolist()} of a {entry['shape']}")
-    return Primitive(shape=kind(*sizes), placement=pin.SE3(pose[:3, :3], pose[:3, 3]), volume=float(entry["volume"]))
+def _primitive(sizes: list[float], pose: list[list[float]], volume: float) -> Primitive:
+    """What `_plain` made these of."""
+    kind = coal.Sphere if len(sizes) == 1 else coal.Capsule
+    return Primitive(shape=kind(*sizes), placement=pin.SE3(np.array(pose)), volume=volume)

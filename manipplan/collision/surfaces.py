@@ -63,7 +63,10 @@ class _ConnectedPart:
 def find_components(triangles: Array) -> list[Array]:
     """Triangles (t, 3, 3) in groups that share corners; those without an area are left out."""
     corners, faces = merge_corners(triangles)
-    parts = [corners[faces[part]] for part in _find_components(faces, len(corners))]
+    if not len(faces):
+        return []
+    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
+    parts = [corners[faces[part]] for part in _groups(components(ends, len(corners))[faces[:, 0]])]
     return [part[_has_area(part)] for part in parts if _has_area(part).any()]
 
 
@@ -106,15 +109,12 @@ def merge_corners(triangles: Array) -> tuple[Array, Faces]:
 
 def _merge(points: Array) -> tuple[Array, Faces]:
     """Points (k, 3) of which those within `MERGED` of each other are one, and for each of (v, 3) its place among these."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
     from scipy.spatial import cKDTree
 
     near = cKDTree(points).query_pairs(MERGED, output_type="ndarray") if len(points) else np.empty((0, 2), dtype=int)
     if not len(near):
         return points, np.arange(len(points))
-    links = coo_matrix((np.ones(len(near)), near.T), shape=(len(points), len(points)))
-    _, merged = connected_components(links, directed=False)
+    merged = components(near, len(points))
     first = np.unique(merged, return_index=True)[1]
     return points[first], merged.astype(np.int64)
 
@@ -132,21 +132,13 @@ def _winding() -> Callable[..., Any]:
     return load_kernel("winding").functions()["winding"]
 
 
-def _find_components(faces: Faces, corners: int) -> list[Faces]:
-    """Numbers of the faces of each part that is connected by shared corners."""
-    if not len(faces):
-        return []
-    ends = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]]])
-    return _groups(_components(ends, corners)[faces[:, 0]])
-
-
 def _edge_connected(faces: Faces) -> list[Faces]:
     """Numbers of the faces of each part that is connected by shared edges."""
     if not len(faces):
         return []
     _, edge = np.unique(_edge_keys(_edges(faces)), return_inverse=True)
     links = np.stack([np.tile(np.arange(len(faces)), 3), len(faces) + edge], axis=1)
-    return _groups(_components(links, len(faces) + int(edge.max()) + 1)[: len(faces)])
+    return _groups(components(links, len(faces) + int(edge.max()) + 1)[: len(faces)])
 
 
 def _once(faces: Faces) -> Faces:
@@ -156,7 +148,7 @@ def _once(faces: Faces) -> Faces:
     return faces[np.sort(first_of_rows(faces)[0])]
 
 
-def _components(links: Faces, count: int) -> Faces:
+def components(links: Faces, count: int) -> Faces:
     """The component of each of `count` nodes that links (k, 2) connect."""
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import connected_components
@@ -231,7 +223,7 @@ def _orient(faces: Faces) -> Faces | None:
         np.stack([first, second + count * is_turned], axis=1),
         np.stack([first + count, second + count * ~is_turned], axis=1),
     ]
-    labels = _components(np.concatenate(links), 2 * count)
+    labels = components(np.concatenate(links), 2 * count)
     if (labels[:count] == labels[count:]).any():
         return None
     patch = np.minimum(labels[:count], labels[count:])
@@ -344,20 +336,14 @@ class MeshPart:
 
     def shape(self) -> coal.CollisionGeometry:
         """A hull where it is convex, otherwise a tree of triangles."""
-        return (Hull(corners=self.corners, faces=self.faces).shape if self.convex else self._tree)()
-
-    def _tree(self) -> coal.CollisionGeometry:
+        if self.convex:
+            return Hull(corners=self.corners, faces=self.faces).shape()
         return triangle_tree(self.corners, self.faces)
 
 
 def mesh_parts(argument: str, triangles: Array) -> list[MeshPart]:
     """The parts of triangles (t, 3, 3) [m]."""
-    parts = [_part(shell) for shell in shells(triangles)]
-    if not parts:
-        raise InvalidInputError(
-            argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
-        )
-    return parts
+    return _some(argument, triangles, [_part(shell) for shell in shells(triangles)])
 
 
 def hull_parts(argument: str, triangles: Array) -> list[MeshPart]:
@@ -370,11 +356,15 @@ def hull_parts(argument: str, triangles: Array) -> list[MeshPart]:
             wanted = "parts with a volume, which can be filled; one is flat: leave fill out, then it is a surface"
             raise InvalidInputError(argument, f"fill='hull' for {len(triangles)} triangles", wanted)
         hulls.append(MeshPart.of_hull(hull))
-    if not hulls:
-        raise InvalidInputError(
-            argument, f"{len(triangles)} triangles, none with an area", "at least one triangle with an area"
-        )
-    return hulls
+    return _some(argument, triangles, hulls)
+
+
+def _some(argument: str, triangles: Array, parts: list[MeshPart]) -> list[MeshPart]:
+    """The parts of triangles (t, 3, 3); raises InvalidInputError where there are none."""
+    if not parts:
+        got = f"{len(triangles)} triangles, none with an area"
+        raise InvalidInputError(argument, got, "at least one triangle with an area")
+    return parts
 
 
 def _part(shell: Shell) -> MeshPart:
@@ -396,8 +386,7 @@ def _solid(shell: Shell) -> Hull | None:
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(corners, qhull_options="Qt")
-    local = shell.triangles - corners.mean(axis=0)
-    volume = np.einsum("ti,ti->", local[:, 0], np.cross(local[:, 1], local[:, 2])) / 6
+    volume = _volume(shell.triangles)
     pairs = len(shell.triangles) * len(hull.equations)
     if not FULL * hull.volume <= volume <= hull.volume / FULL or pairs > MOST_PAIRS:
         return None
@@ -414,7 +403,7 @@ def _solid(shell: Shell) -> Hull | None:
 def _is_clearly_concave(triangles: Array, corners: Array) -> bool:
     """Whether corners (v, 3) are above some of the faces by more than their rounding can explain."""
     some = triangles[:: max(1, len(triangles) // SOME_FACES)]
-    normals = np.cross(some[:, 1] - some[:, 0], some[:, 2] - some[:, 0])
+    normals = _normals(some)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     heights = corners @ normals.T - np.einsum("ti,ti->t", normals, some[:, 0])
     return bool(heights.max() > CLEAR * np.ptp(corners, axis=0).max())

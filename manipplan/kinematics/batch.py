@@ -82,13 +82,6 @@ def operations() -> dict[int, str]:
     return {getattr(ca, f"OP_{name.upper()}"): name for name in names if name != "name"}
 
 
-def is_expressible(function: ca.Function) -> bool:
-    """Whether `function` uses only these operations, sine, cosine and constants."""
-    basic = {ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_SIN, ca.OP_COS}
-    used = {function.instruction_id(k) for k in range(function.n_instructions())}
-    return used <= basic | set(operations())
-
-
 def pure_angles(found: list[Instruction]) -> set[str]:
     """Inputs that are used only in sines and cosines, so that full turns make no difference."""
     used = {name for each in found if each.code != SINE_COSINE for name in each.arguments}
@@ -142,11 +135,7 @@ class BatchProgram:
             instructions=ctypes.addressof(rows),
             turning=marks.ctypes.data,
         )
-
-    @property
-    def address(self) -> int:
-        """Where the structure is."""
-        return ctypes.addressof(self.data)
+        self.address = ctypes.addressof(self.data)
 
 
 #: Number of instructions from which a Function is long; see `kernel_source`.
@@ -341,7 +330,9 @@ def _load(file: Path) -> Any:
 
 def batch_kernel(function: ca.Function, compiled: bool | str, subject: str) -> BatchKernel | None:
     """The kernel where `compiled` is not False and the function's operations are known; None otherwise."""
-    return BatchKernel(function, compiled, subject) if compiled is not False and is_expressible(function) else None
+    used = {function.instruction_id(k) for k in range(function.n_instructions())}
+    known = {ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST, ca.OP_SIN, ca.OP_COS, *operations()}
+    return BatchKernel(function, compiled, subject) if compiled is not False and used <= known else None
 
 
 def run_kernel(kernel: BatchKernel, q: Array, outputs: int, *, threads: int) -> Array | None:

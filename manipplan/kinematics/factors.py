@@ -42,9 +42,8 @@ AGREEMENT, SAMPLES = 1e-3, 40
 
 #: Directions (6, 3) of the joint axes and a point (6, 3) on each, in the world.
 Axes = tuple[Array, Array]
-#: Three numbers or symbols, and one such vector per joint.
-Vector = Sequence[Any]
-Vectors = Sequence[Vector] | Array
+#: A vector of three numbers or symbols per joint.
+Vectors = Sequence[Any] | Array
 #: A function of the directions and points.
 Value = Callable[[Vectors, Vectors], Any]
 
@@ -81,7 +80,7 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     samples = robot.random_configuration(np.random.default_rng(0), size=SAMPLES)
     axes = _axes(robot, samples)
     found = _of_three_parallel(axes) or _of_spherical_wrist(axes)
-    values = {name: np.array([value(*each) for each in axes]) for name, value in found.items()}
+    values = {name: np.array([float(value(*each)) for each in axes]) for name, value in found.items()}
     true = np.array([_determinant_at(*each) for each in axes])
     product = np.prod(list(values.values()), axis=0)
     if not found or not product.any():
@@ -145,51 +144,37 @@ def _of_spherical_wrist(axes: list[Axes]) -> dict[str, Value]:
     return {"arm": _velocity_of_wrist, "wrist": wrist}
 
 
-def _cross(a: Vector, b: Vector) -> Vector:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def _dot(a: Vector, b: Vector) -> Any:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _minus(a: Vector, b: Vector) -> Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def _triple(a: Vector, b: Vector, c: Vector) -> Any:
+def _triple(a: Any, b: Any, c: Any) -> Any:
     """The determinant of three vectors."""
-    return _dot(a, _cross(b, c))
+    return ca.dot(a, ca.cross(b, c))
 
 
 def _area(z: Vectors, o: Vectors, *, n: int, corners: tuple[int, int, int]) -> Any:
     """Twice the area that three axes along n span."""
     a, b, c = (o[k] for k in corners)
-    return _triple(z[n], _minus(b, a), _minus(c, a))
+    return _triple(z[n], b - a, c - a)
 
 
 def _area_to_wrist(z: Vectors, o: Vectors, *, a: int, b: int) -> Any:
     """Twice the area that two parallel axes and the common point of the last three span."""
     wrist = _common(z, o, 3, 4)
-    return _triple(z[a], _minus(wrist, o[a]), _minus(wrist, o[b]))
+    return _triple(z[a], wrist - o[a], wrist - o[b])
 
 
 def _volume(z: Vectors, _o: Vectors, *, triple: tuple[int, int, int]) -> Any:
     """The determinant of three directions."""
-    a, b, c = (z[k] for k in triple)
-    return _triple(a, b, c)
+    return _triple(*(z[k] for k in triple))
 
 
 def _lever(z: Vectors, o: Vectors, *, n: int, joint: int, pair: tuple[int, int]) -> Any:
     """The velocity along n that a joint gives to the point where the axes of a pair meet."""
-    return _triple(z[n], z[joint], _minus(_common(z, o, *pair), o[joint]))
+    return _triple(z[n], z[joint], _common(z, o, *pair) - o[joint])
 
 
 def _velocity_of_wrist(z: Vectors, o: Vectors) -> Any:
     """The determinant of the velocities that the first three joints give to the common point of the last three axes."""
     wrist = _common(z, o, 3, 4)
-    a, b, c = (_cross(z[k], _minus(wrist, o[k])) for k in range(3))
-    return _triple(a, b, c)
+    return _triple(*(ca.cross(z[k], wrist - o[k]) for k in range(3)))
 
 
 def _across(z: Vectors, o: Vectors, *, n: int, rest: list[int]) -> Any:
@@ -198,11 +183,11 @@ def _across(z: Vectors, o: Vectors, *, n: int, rest: list[int]) -> Any:
     return sum(_triple(z[n], o[i], z[i]) * _triple(z[n], z[j], z[k]) for i, j, k in ((a, b, c), (b, c, a), (c, a, b)))
 
 
-def _common(z: Vectors, o: Vectors, a: int, b: int) -> Vector:
+def _common(z: Vectors, o: Vectors, a: int, b: int) -> Any:
     """The point on axis `a` nearest to axis `b`."""
-    cosine, between = _dot(z[a], z[b]), _minus(o[b], o[a])
-    along = (_dot(between, z[a]) - cosine * _dot(between, z[b])) / (1 - cosine * cosine)
-    return tuple(o[a][i] + along * z[a][i] for i in range(3))
+    cosine, between = ca.dot(z[a], z[b]), o[b] - o[a]
+    along = (ca.dot(between, z[a]) - cosine * ca.dot(between, z[b])) / (1 - cosine * cosine)
+    return o[a] + along * z[a]
 
 
 def _parallel(z: Array, a: int, b: int) -> bool:
@@ -217,7 +202,7 @@ def _meet(z: Array, o: Array, a: int, b: int) -> bool:
 
 def _meet_in_a_point(z: Array, o: Array) -> bool:
     """Whether the last three axes meet in one point."""
-    return bool(np.linalg.norm(_minus(_common(z, o, 3, 4), _common(z, o, 4, 5))) < ROUNDED * _size(o))
+    return bool(ca.norm_2(_common(z, o, 3, 4) - _common(z, o, 4, 5)) < ROUNDED * _size(o))
 
 
 def _size(o: Array) -> float:
@@ -226,11 +211,12 @@ def _size(o: Array) -> float:
 
 def _only_joint(robot: Robot, value: Value, samples: Array) -> int | None:
     """The joint on which a function of the axes depends, if it is only one."""
-    here = np.array([value(*each) for each in _axes(robot, samples)])
-    changes = []
-    for joint in range(6):
-        moved = samples + 0.7 * np.eye(6)[joint]
-        changes.append(np.abs([value(*each) for each in _axes(robot, moved)] - here).max())
+
+    def values(q: Array) -> Array:
+        return np.array([float(value(*each)) for each in _axes(robot, q)])
+
+    here = values(samples)
+    changes = [np.abs(values(samples + 0.7 * moved) - here).max() for moved in np.eye(6)]
     moving = [joint for joint, change in enumerate(changes) if change > 1e-3 * max(changes)]
     return moving[0] if len(moving) == 1 else None
 
@@ -299,14 +285,9 @@ def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: 
 def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Function:
     chain = SymbolicChain.of(robot.model, robot.tool)
     frames = chain.joints[1:]
-    axes = [frame.rotation @ ca.DM(axis) for axis, frame in zip(chain.tree.axes, frames, strict=True)]
-    z, o = _vectors(axes), _vectors([frame.origin for frame in frames])
-    values = ca.vertcat(*(each.value(z, o) for each in factors))
+    z = [frame.rotation @ ca.DM(axis) for axis, frame in zip(chain.tree.axes, frames, strict=True)]
+    values = ca.vertcat(*(each.value(z, [frame.origin for frame in frames]) for each in factors))
     return ca.Function("signs", [chain.q], [ca.densify(values)], ["q"], ["values"])
-
-
-def _vectors(columns: Sequence[ca.SX]) -> list[list[ca.SX]]:
-    return [ca.vertsplit(ca.densify(each)) for each in columns]
 
 
 def _determinant_function(kinematics: Kinematics) -> ca.Function:

@@ -39,53 +39,43 @@ if TYPE_CHECKING:
     from manipplan.robots.robot import Robot
 
 
-@dataclass(frozen=True, kw_only=True)
-class View:
-    """Jacobians with the manipulability of a task.
+def isometric_jacobians(chain: SymbolicChain, task: Task, plain: tuple[ca.SX, Motion]) -> tuple[ca.SX, tuple[ca.SX, Motion]]:
+    """A Jacobian (m, n) with the manipulability of `task` and the fewest operations that we know, and one with its motion.
 
-    Attributes:
-        jacobian: (m, n), the one with the fewest operations that we know.
-        smooth: a Jacobian (m, n) with that manipulability, and its motion, for derivatives of functions of det(J Jᵀ) alone.
+    The second is for derivatives of functions of det(J Jᵀ) alone. Both are `plain`, the task's rows, if these depend on the
+    world axes.
     """
+    if not (task.turns_freely and _straight(chain) and task.relative_to is None):
+        return plain[0], plain
+    n = len(chain.joints) - 1
+    middle = (n + 1) // 2
+    if task.tool_rows or len(task.world_rows) < 6:
+        seen = _express_at(chain, n if task.tool_rows else middle, None)
+        return _with_followers(chain, task.rows_of(*seen)), plain
+    frames = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
+    views = [(_express_at(chain, f, at)[0], f) for f, at in frames]
+    smooth = _rows_along(chain, task, *min(views, key=lambda view: int(view[0].nnz())))
+    return smooth[0], smooth
 
-    jacobian: ca.SX
-    smooth: tuple[ca.SX, Motion]
 
-    @classmethod
-    def of(cls, chain: SymbolicChain, task: Task) -> "View":
-        """The best view of `chain` for `task`; the plain Jacobian if the task depends on the world axes."""
-        n = len(chain.joints) - 1
-        smooth = task_rows(chain, task)
-        plain = smooth[0]
-        if not (task.turns_freely and _straight(chain) and task.relative_to is None):
-            return cls(jacobian=plain, smooth=smooth)
-        if task.tool_rows:
-            return cls(jacobian=_with_followers(chain, task.rows_of(*_express_at(chain, n, None))), smooth=smooth)
-        middle = (n + 1) // 2
-        if len(task.world_rows) < 6:
-            return cls(jacobian=_with_followers(chain, task.rows_of(*_express_at(chain, middle, None))), smooth=smooth)
-        frames = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
-        views = [(_express_at(chain, f, at)[0], f) for f, at in frames]
-        seen, f = min(views, key=lambda view: int(view[0].nnz()))
-        rows = ca.sparsify(ca.DM(task.matrices[0]))
-        smooth = LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows), chain.tree)
-        return cls(jacobian=smooth[0], smooth=smooth)
+def _rows_along(chain: SymbolicChain, task: Task, seen: ca.SX, f: int) -> tuple[ca.SX, Motion]:
+    """The rows of a pose task from a Jacobian (6, N) along the axes of joint f, and their motion."""
+    rows = ca.sparsify(ca.DM(task.matrices[0]))
+    return LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=f, rows=rows), chain.tree)
 
 
 def steady(chain: SymbolicChain, task: Task) -> tuple[ca.SX, Motion]:
     """A Jacobian (m, n) with the manipulability of `task` and its true derivatives, for functions of J Jᵀ + ρ² I.
 
     Such functions depend on the reference point of J. Here it is the origin of the middle joint, at rest in that frame.
-    This takes a third more operations than `View.smooth`, and a third of those of the plain Jacobian.
+    This takes a third more operations than `Posture.smooth`, and a third of those of the plain Jacobian.
     """
     n = len(chain.joints) - 1
     is_pose = task.turns_freely and not task.tool_rows and len(task.world_rows) == 6
     if not (_straight(chain) and is_pose and task.relative_to is None):
         return task_rows(chain, task)
     middle = (n + 1) // 2
-    seen, _ = _express_at(chain, middle, middle)
-    rows = ca.sparsify(ca.DM(task.matrices[0]))
-    return LedMotion.of(rows @ seen, ViewMotion(jacobian=seen, f=middle, rows=rows), chain.tree)
+    return _rows_along(chain, task, _express_at(chain, middle, middle)[0], middle)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -473,7 +463,8 @@ def measure_for(robot: "Robot", task: Task, measure: Measure) -> Measure:
 
 def posture_of(robot: "Robot", chain: SymbolicChain, task: Task) -> Posture:
     """The symbolic quantities of a robot that measures depend on."""
-    view, (jacobian, motion) = View.of(chain, task), task_rows(chain, task)
+    jacobian, motion = plain = task_rows(chain, task)
+    isometric, smooth = isometric_jacobians(chain, task, plain)
 
     def tools() -> dict[str, ToolPosture]:
         """The posture of each tool's arm."""
@@ -488,8 +479,8 @@ def posture_of(robot: "Robot", chain: SymbolicChain, task: Task) -> Posture:
         q=chain.q,
         jacobian=jacobian,
         motion=motion,
-        isometric=view.jacobian,
-        smooth=view.smooth,
+        isometric=isometric,
+        smooth=smooth,
         mass_matrix=lambda: chain.mass_matrix,
         lower=robot.limits.lower,
         upper=robot.limits.upper,

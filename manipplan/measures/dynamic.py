@@ -5,29 +5,23 @@ from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.measures.manipulability import REGULARISATION, yoshikawa
-from manipplan.measures.measure import Measure, Posture, product_unit
+from manipplan.measures.manipulability import yoshikawa
+from manipplan.measures.measure import Dimensionless, Posture, Regularised, product_unit
 from manipplan.measures.spectral import SingularValues, ratio_gradient, ratio_hessian
-from manipplan.support.checks import number
 from manipplan.symbolic.motion import MatrixMotion, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
 
 @dataclass(frozen=True, kw_only=True)
-class DynamicManipulability(Measure):
+class DynamicManipulability(Regularised):
     """w_d = sqrt(det(J M⁻² Jᵀ)) of the arm at rest without gravity: tool accelerations for joint torques of norm 1.
 
-    Attributes:
-        regularisation: ρ > 0 as for `Yoshikawa`, in the unit of the rows of J M⁻¹.
+    ρ = `regularisation` > 0 as for `Yoshikawa`, in the unit of the rows of J M⁻¹.
     """
 
-    regularisation: float = REGULARISATION
     name: ClassVar[str] = "dynamic"
     formula: ClassVar[str] = "sqrt(det(J M⁻² Jᵀ))"
     source: ClassVar[str] = "yoshikawa1985b"
-
-    def __post_init__(self) -> None:
-        number("regularisation", self.regularisation, above=0.0)
 
     def unit(self, task: Task) -> str:
         return product_unit(task, "kg m²")
@@ -43,7 +37,7 @@ class DynamicManipulability(Measure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Asada(Measure):
+class Asada(Dimensionless):
     """Isotropy of the generalised inertia ellipsoid: smallest over largest eigenvalue of the tool's inertia (J M⁻¹ Jᵀ)⁻¹.
 
     From 0 (singular) to 1 (the tool feels equally heavy in all directions).
@@ -52,9 +46,6 @@ class Asada(Measure):
     name: ClassVar[str] = "asada"
     formula: ClassVar[str] = "λ_min / λ_max of (J M⁻¹ Jᵀ)⁻¹"
     source: ClassVar[str] = "asada1983"
-
-    def unit(self, task: Task) -> str:  # noqa: ARG002
-        return "1"
 
     def value(self, posture: Posture) -> ca.SX:
         values = SingularValues.of(_mobility_root(posture))

@@ -11,36 +11,27 @@ from typing import ClassVar
 import casadi as ca
 import numpy as np
 
-from manipplan.measures.measure import JacobianMeasure, Measure, Posture, row_unit
+from manipplan.measures.measure import Dimensionless, JacobianMeasure, Measure, Posture, Regularised, row_unit
 from manipplan.support.checks import ArrayLike, finite_array, number, number_array, positive_array
 from manipplan.support.errors import InvalidInputError
 from manipplan.symbolic.motion import Factor, log_gradient, log_hessian, manipulability_gradient, manipulability_hessian
 from manipplan.symbolic.task import Task
 
-#: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
-REGULARISATION = 1e-9
 #: ρ of the logarithm: with more rows than joints, ρ² has to stay above the rounding errors of J Jᵀ.
 LOG_REGULARISATION = 1e-6
 
 
 @dataclass(frozen=True, kw_only=True)
-class Yoshikawa(JacobianMeasure):
+class Yoshikawa(Regularised, JacobianMeasure):
     """The manipulability m = sqrt(det(J Jᵀ)), the product of the singular values.
 
     The value is exact. The derivatives are those of sqrt(det(J Jᵀ + ρ² I)), which also exist where m = 0. For a full-pose
-    task, J is taken in the frame of a middle joint, where m is the same.
-
-    Attributes:
-        regularisation: ρ > 0, in the unit of the Jacobian's rows.
+    task, J is taken in the frame of a middle joint, where m is the same. ρ = `regularisation` > 0 is in the unit of its rows.
     """
 
-    regularisation: float = REGULARISATION
     name: ClassVar[str] = "yoshikawa"
     formula: ClassVar[str] = "sqrt(det(J Jᵀ))"
     source: ClassVar[str] = "yoshikawa1985"
-
-    def __post_init__(self) -> None:
-        number("regularisation", self.regularisation, above=0.0)
 
     def unit(self, task: Task) -> str:
         return task.unit
@@ -59,11 +50,10 @@ class Yoshikawa(JacobianMeasure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class LogDet(JacobianMeasure):
+class LogDet(Regularised, JacobianMeasure):
     """The logarithm log m_ρ = log sqrt(det(J Jᵀ + ρ² I)); smooth and finite even at a singularity.
 
-    Attributes:
-        regularisation: ρ > 0, in the unit of the Jacobian's rows.
+    ρ = `regularisation` > 0 is in the unit of the Jacobian's rows.
     """
 
     regularisation: float = LOG_REGULARISATION
@@ -72,9 +62,6 @@ class LogDet(JacobianMeasure):
     source: ClassVar[str] = "dufour2020"
     needs_full_rank: ClassVar[bool] = False
     larger_is_better: ClassVar[bool] = False
-
-    def __post_init__(self) -> None:
-        number("regularisation", self.regularisation, above=0.0)
 
     def unit(self, task: Task) -> str:
         return f"log {task.unit}"
@@ -123,25 +110,16 @@ class FrobeniusNorm(JacobianMeasure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Isotropy(JacobianMeasure):
+class Isotropy(Regularised, Dimensionless, JacobianMeasure):
     """Geometric over arithmetic mean of the squared singular values, det(J Jᵀ)^(1/m) / (tr(J Jᵀ) / m), from 0 to 1.
 
-    It is 1 where the tool moves equally well in all directions and 0 at a singularity. The derivatives are those of m_ρ.
-
-    Attributes:
-        regularisation: ρ > 0, in the unit of the Jacobian's rows.
+    It is 1 where the tool moves equally well in all directions and 0 at a singularity. The derivatives are those of m_ρ
+    with ρ = `regularisation` > 0 in the unit of the Jacobian's rows.
     """
 
-    regularisation: float = REGULARISATION
     name: ClassVar[str] = "isotropy"
     formula: ClassVar[str] = "det(J Jᵀ)^(1/m) / (tr(J Jᵀ) / m)"
     source: ClassVar[str] = "kim1991"
-
-    def __post_init__(self) -> None:
-        number("regularisation", self.regularisation, above=0.0)
-
-    def unit(self, task: Task) -> str:  # noqa: ARG002
-        return "1"
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         m = jacobian.shape[0]
@@ -167,7 +145,7 @@ class Isotropy(JacobianMeasure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Constant(Measure):
+class Constant(Dimensionless):
     """The number 1: with it g is the length of the path, and no configuration counts as singular."""
 
     name: ClassVar[str] = "constant"
@@ -175,9 +153,6 @@ class Constant(Measure):
     source: ClassVar[str] = "kth2012"
     needs_full_rank: ClassVar[bool] = False
     constant: ClassVar[bool] = True
-
-    def unit(self, task: Task) -> str:  # noqa: ARG002
-        return "1"
 
     def value(self, posture: Posture) -> ca.SX:  # noqa: ARG002
         return ca.SX(1.0)
@@ -221,13 +196,9 @@ class _Transmission(JacobianMeasure):
         if np.size(self.direction) != m:
             raise InvalidInputError("direction", self.direction, f"{m} numbers, one per task row")
 
-    @property
-    def _unit_vector(self) -> ca.DM:
-        return ca.DM(np.array(self.direction))
-
 
 @dataclass(frozen=True, kw_only=True)
-class VelocityTransmission(_Transmission):
+class VelocityTransmission(Regularised, _Transmission):
     """β = (uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2): the largest speed along u alone for joint speeds of norm 1.
 
     It is the distance from the centre to the surface of the velocity ellipsoid along u.
@@ -237,22 +208,21 @@ class VelocityTransmission(_Transmission):
         regularisation: ρ > 0, in the unit of the Jacobian's rows; where no motion along u is possible, β falls to ρ, not to 0.
     """
 
-    regularisation: float = REGULARISATION
     name: ClassVar[str] = "velocity_transmission"
     formula: ClassVar[str] = "(uᵀ (J Jᵀ + ρ² I)⁻¹ u)^(-1/2)"
     source: ClassVar[str] = "chiu1988"
     needs_full_rank: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
+        _Transmission.__post_init__(self)
         super().__post_init__()
-        number("regularisation", self.regularisation, above=0.0)
 
     def unit(self, task: Task) -> str:
         return row_unit(task)
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         lower = Factor.of(jacobian, self.regularisation).L
-        return 1 / ca.norm_2(ca.solve(lower, self._unit_vector))
+        return 1 / ca.norm_2(ca.solve(lower, ca.DM(self.direction)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -275,11 +245,28 @@ class ForceTransmission(_Transmission):
         return {"m": "1/m"}.get(row_unit(task), row_unit(task))
 
     def of(self, jacobian: ca.SX) -> ca.SX:
-        return 1 / ca.norm_2(jacobian.T @ self._unit_vector)
+        return 1 / ca.norm_2(jacobian.T @ ca.DM(self.direction))
 
 
 @dataclass(frozen=True, kw_only=True)
-class JointLimitPenalised(Measure):
+class MeasureOfMeasure(Measure):
+    """A measure made of another one, `measure`, whose unit it has."""
+
+    measure: Measure = field(default_factory=Yoshikawa)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.measure, Measure):
+            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
+
+    def check(self, m: int, n: int) -> None:
+        self.measure.check(m, n)
+
+    def unit(self, task: Task) -> str:
+        return self.measure.unit(task)
+
+
+@dataclass(frozen=True, kw_only=True)
+class JointLimitPenalised(MeasureOfMeasure):
     """A measure times P(q) = 1 - exp(-k Π_i 4 (q_i - l_i)(u_i - q_i)/(u_i - l_i)²), which is 0 at a position limit.
 
     Joints without limits are left out. The source does not have the factors 4, which here scale the product to 0 ... 1.
@@ -289,15 +276,13 @@ class JointLimitPenalised(Measure):
         k: steepness of P; P = 1 - exp(-k) in the middle of all joint ranges.
     """
 
-    measure: Measure = field(default_factory=Yoshikawa)
     k: float = 10.0
     name: ClassVar[str] = "joint_limit_penalised"
     formula: ClassVar[str] = "measure · (1 - exp(-k Π 4 (q - l)(u - q)/(u - l)²))"
     source: ClassVar[str] = "tsai1986"
 
     def __post_init__(self) -> None:
-        if not isinstance(self.measure, Measure):
-            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
+        super().__post_init__()
         if not self.measure.larger_is_better:
             raise InvalidInputError("measure", self.measure.name, "a measure that is at least 0 and better when larger")
         number("k", self.k, above=0.0)
@@ -308,12 +293,6 @@ class JointLimitPenalised(Measure):
 
     def of_one_tool(self) -> Measure:
         return replace(self, measure=self.measure.of_one_tool())
-
-    def check(self, m: int, n: int) -> None:
-        self.measure.check(m, n)
-
-    def unit(self, task: Task) -> str:
-        return self.measure.unit(task)
 
     def value(self, posture: Posture) -> ca.SX:
         return self.measure.value(posture) * self._penalty(posture)

@@ -8,12 +8,15 @@ from typing import ClassVar
 import casadi as ca
 import numpy as np
 
-from manipplan.support.checks import Array, ArrayLike, number_array
+from manipplan.support.checks import Array, ArrayLike, number, number_array
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.expressions import making_expressions
 from manipplan.symbolic.motion import Motion
 from manipplan.symbolic.task import Task
+
+#: ρ of the regularised form m_ρ = sqrt(det(J Jᵀ + ρ² I)), in units of the Jacobian's rows.
+REGULARISATION = 1e-9
 
 
 @one_line
@@ -142,6 +145,23 @@ class JacobianMeasure(Measure):
         columns = matrices.reshape(-1, m, n).transpose(0, 2, 1).reshape(-1, m * n)
         values = np.asarray(function(ca.DM(columns.T))) if len(columns) else np.empty(0)
         return np.array(values.reshape(matrices.shape[:-2]))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Regularised(Measure):
+    """A measure, or its derivatives, of J Jᵀ + ρ² I with ρ = `regularisation` > 0, so that they exist at a singularity."""
+
+    regularisation: float = REGULARISATION
+
+    def __post_init__(self) -> None:
+        number("regularisation", self.regularisation, above=0.0)
+
+
+class Dimensionless(Measure):
+    """A measure without a unit."""
+
+    def unit(self, task: Task) -> str:  # noqa: ARG002
+        return "1"
 
 
 def row_unit(task: Task) -> str:

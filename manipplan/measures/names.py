@@ -8,39 +8,27 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
-from manipplan.measures.dynamic import Asada, DynamicManipulability
-from manipplan.measures.manipulability import (
-    Constant,
-    ForceTransmission,
-    FrobeniusNorm,
-    Isotropy,
-    JointLimitPenalised,
-    LogDet,
-    VelocityTransmission,
-    Yoshikawa,
-)
+from manipplan.measures import dynamic, manipulability, over_tools, spectral
 from manipplan.measures.measure import Measure
-from manipplan.measures.over_tools import OverTools
-from manipplan.measures.spectral import ConditionNumber, InverseCondition, SmallestSingularValue
 from manipplan.support.errors import FileFormatError, InvalidInputError, UnknownNameError
 
 MEASURES: dict[str, type[Measure]] = {
     kind.name: kind
     for kind in (
-        Yoshikawa,
-        LogDet,
-        FrobeniusNorm,
-        ConditionNumber,
-        InverseCondition,
-        SmallestSingularValue,
-        Isotropy,
-        DynamicManipulability,
-        Asada,
-        VelocityTransmission,
-        ForceTransmission,
-        JointLimitPenalised,
-        OverTools,
-        Constant,
+        manipulability.Yoshikawa,
+        manipulability.LogDet,
+        manipulability.FrobeniusNorm,
+        spectral.ConditionNumber,
+        spectral.InverseCondition,
+        spectral.SmallestSingularValue,
+        manipulability.Isotropy,
+        dynamic.DynamicManipulability,
+        dynamic.Asada,
+        manipulability.VelocityTransmission,
+        manipulability.ForceTransmission,
+        manipulability.JointLimitPenalised,
+        over_tools.OverTools,
+        manipulability.Constant,
     )
 }
 
@@ -53,7 +41,7 @@ def available_measures() -> tuple[str, ...]:
 def measure_of(measure: Measure | str | None) -> Measure:
     """The given measure, or the measure of that name with default options; Yoshikawa's manipulability for None."""
     if measure is None:
-        return Yoshikawa()
+        return manipulability.Yoshikawa()
     if isinstance(measure, Measure):
         if type(measure).__hash__ is None:
             raise InvalidInputError("measure", measure, "a measure that can be hashed, such as a frozen dataclass")
@@ -63,7 +51,7 @@ def measure_of(measure: Measure | str | None) -> Measure:
     if measure not in MEASURES:
         raise UnknownNameError("measure", measure, MEASURES)
     kind = MEASURES[measure]
-    if kind in (VelocityTransmission, ForceTransmission):
+    if kind in (manipulability.VelocityTransmission, manipulability.ForceTransmission):
         raise InvalidInputError("measure", measure, f"mp.{kind.__name__}(direction=...), which needs a direction")
     return kind()
 

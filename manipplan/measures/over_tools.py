@@ -1,16 +1,15 @@
 """A measure of a robot with several tools: the minimum over its tools, or their weighted mean."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.measures.manipulability import Yoshikawa
+from manipplan.measures.manipulability import MeasureOfMeasure
 from manipplan.measures.measure import Measure, Posture, ToolPosture
 from manipplan.support.checks import entries, number
 from manipplan.support.errors import InvalidInputError, UnknownNameError
-from manipplan.symbolic.task import Task
 
 #: Number of times the power 2 is doubled in the smooth minimum: its exponent is 2^DOUBLED.
 DOUBLED = 4
@@ -19,7 +18,7 @@ VANISHING = 1e-150
 
 
 @dataclass(frozen=True, kw_only=True)
-class OverTools(Measure):
+class OverTools(MeasureOfMeasure):
     """A measure over all tools of a robot, where each tool has that of the joints that move it.
 
     Without weights it is the smooth minimum s = (Σ_k m_k^-16)^(-1/16), which has the derivatives that optimisers need. With K
@@ -33,7 +32,6 @@ class OverTools(Measure):
         weights: a number > 0 for each tool, by its name; None: the minimum.
     """
 
-    measure: Measure = field(default_factory=Yoshikawa)
     weights: Mapping[str, float] | Sequence[tuple[str, float]] | None = None
     name: ClassVar[str] = "over_tools"
     formula: ClassVar[str] = "(Σ m_k^-16)^(-1/16), or Σ w_k m_k / Σ w_k"
@@ -41,8 +39,7 @@ class OverTools(Measure):
     over_tools: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        if not isinstance(self.measure, Measure):
-            raise InvalidInputError("measure", self.measure, "a Measure, such as mp.measures.Yoshikawa()")
+        super().__post_init__()
         if self.measure.over_tools or not self.measure.larger_is_better:
             raise InvalidInputError(
                 "measure", self.measure.name, "a measure of one tool that is at least 0 and better when larger"
@@ -73,12 +70,6 @@ class OverTools(Measure):
         missing = [tool for tool in tools if tool not in given]
         if missing:
             raise InvalidInputError("weights", given, f"a weight for each tool; {' and '.join(missing)} has none")
-
-    def check(self, m: int, n: int) -> None:
-        self.measure.check(m, n)
-
-    def unit(self, task: Task) -> str:
-        return self.measure.unit(task)
 
     def value(self, posture: Posture) -> ca.SX:
         tools = posture.tools()

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 import casadi as ca
 
-from manipplan.measures.measure import JacobianMeasure, Posture, row_unit
+from manipplan.measures.measure import Dimensionless, JacobianMeasure, Posture, row_unit
 from manipplan.symbolic.motion import Motion
 from manipplan.symbolic.task import Task
 
@@ -115,15 +115,12 @@ class SmallestSingularValue(JacobianMeasure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class InverseCondition(JacobianMeasure):
+class InverseCondition(Dimensionless, JacobianMeasure):
     """σ_min / σ_max of J, from 0 (singular) to 1 (isotropic)."""
 
     name: ClassVar[str] = "inverse_condition"
     formula: ClassVar[str] = "σ_min(J) / σ_max(J)"
     source: ClassVar[str] = "salisbury1982"
-
-    def unit(self, task: Task) -> str:  # noqa: ARG002
-        return "1"
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         return _ratio(SingularValues.of(jacobian))
@@ -136,16 +133,13 @@ class InverseCondition(JacobianMeasure):
 
 
 @dataclass(frozen=True, kw_only=True)
-class ConditionNumber(JacobianMeasure):
+class ConditionNumber(Dimensionless, JacobianMeasure):
     """κ = σ_max / σ_min of J, from 1 (isotropic) to inf (singular)."""
 
     name: ClassVar[str] = "condition_number"
     formula: ClassVar[str] = "σ_max(J) / σ_min(J)"
     source: ClassVar[str] = "salisbury1982"
     larger_is_better: ClassVar[bool] = False
-
-    def unit(self, task: Task) -> str:  # noqa: ARG002
-        return "1"
 
     def of(self, jacobian: ca.SX) -> ca.SX:
         return 1 / _ratio(SingularValues.of(jacobian))

@@ -8,7 +8,8 @@ from functools import cached_property
 import casadi as ca
 
 from manipplan.kinematics.kinematics import SymbolicKinematics
-from manipplan.measures.manipulability import REGULARISATION, Yoshikawa
+from manipplan.measures.manipulability import Yoshikawa
+from manipplan.measures.measure import REGULARISATION
 from manipplan.symbolic.motion import Factor, log_gradient, log_hessian
 
 #: δq of (17) and (19) in dufour2020 [rad or m]; the paper names 1e-4 to 1e-3.

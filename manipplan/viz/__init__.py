@@ -1,7 +1,7 @@
 """Pictures of motions and of how they were found.
 
-Every `plot_*` draws into the given Matplotlib axes, `ax=`, or into those of a new figure, and returns the axes. Matplotlib is
-imported with the first picture.
+Every `plot_*` draws into the given Matplotlib axes, `ax=`, or into those of a new figure, and returns the axes. A motion is a
+JointPath, a Trajectory or a Tracking. Matplotlib is imported with the first picture.
 """
 
 from manipplan.viz import style

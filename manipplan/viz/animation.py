@@ -65,6 +65,14 @@ def frame_times(duration: float, speed: float, fps: float) -> Array:
     return np.minimum(np.arange(np.ceil(duration / speed * fps - 1e-9) + 1) * speed / fps, duration)
 
 
+def frames_of(times: Array, show: Callable[[float], None], notify: Progress) -> Iterator[None]:
+    """Show what is at each of the times [s], one after the other, and tell the progress."""
+    for k, time in enumerate(times.tolist()):
+        notify(k / len(times), f"frame {k + 1} of {len(times)}")
+        show(time)
+        yield
+
+
 def _write_mp4(stream: IO[bytes], figure: Any, frames: Iterable[None], fps: float) -> None:
     """Write frames, shown one after the other, as an MP4 with ffmpeg."""
     from matplotlib.animation import FFMpegWriter
@@ -163,18 +171,12 @@ def animate(
 
         figure = Figure(figsize=size, dpi=dpi)
         show = _stage(shown, figure)
-
-        def frames() -> Iterator[None]:
-            for k, time in enumerate(times.tolist()):
-                notify(k / len(times), f"frame {k + 1} of {len(times)}")
-                show(time)
-                yield
-
+        frames = frames_of(times, show, notify)
         if kind == ".gif":
             some = (show(time) for time in times[[0, len(times) // 2, -1]])
-            write_gif(stream, figure, some, frames(), fps, colours)
+            write_gif(stream, figure, some, frames, fps, colours)
         else:
-            _write_mp4(stream, figure, frames(), fps)
+            _write_mp4(stream, figure, frames, fps)
 
     with style.shared():
         write_bytes(file, write)

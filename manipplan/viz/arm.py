@@ -155,7 +155,7 @@ def plot_ellipsoid(
         axes: whether the principal axes are drawn as well.
         **options: color, alpha, label and other properties of the patch or surface.
 
-    Returns the axes. Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
+    Raises InvalidInputError for other numbers of rows, or an infinite radius without `largest`.
     """
     m = len(instance("ellipsoid", ellipsoid, Ellipsoid).radii)
     if m not in (2, 3):
@@ -192,13 +192,10 @@ def plot_ellipsoids(
     Args:
         kinematics: of the robot; each tool has the ellipsoids of its own arm. A task of three rows gives ellipsoids,
             Task.planar() ellipses in the x-y plane; for any other task the ellipsoids of the tool's linear velocity are drawn.
-        path: a JointPath, Trajectory or Tracking.
         places: number of ellipsoids, at least 2.
         scale: metres drawn per unit of the radii; default: the largest radius is a twelfth of the arm's length.
         ax: Matplotlib axes, with projection="3d" for three rows; None: those of a new figure.
         **options: as in `plot_ellipsoid`.
-
-    Returns the axes.
     """
     robot = instance("kinematics", kinematics, Kinematics).robot
     curve = joint_path("path", path, robot)
@@ -253,15 +250,10 @@ def plot_arm(
     the picture that it fills at z = 0. Everything is drawn as vector graphics.
 
     Args:
-        robot: the arm.
-        path: a JointPath, Trajectory or Tracking.
-        scene: obstacles; default None.
         seed: another motion, of which the tool path is drawn.
         names: names of the two motions in the legend.
         places: number of postures drawn, at least 2, evenly spaced in the path's parameter.
         ax: Matplotlib axes, with projection="3d" unless the arm is planar and seen from above; None: those of a new figure.
-
-    Returns the axes.
     """
     curve = joint_path("path", path, instance("robot", robot, Robot))
     other = None if seed is None else joint_path("seed", seed, robot)
@@ -376,12 +368,8 @@ def plot_tool_path(robot: Robot, motion: Motion, workspace_path: CartesianPath |
     """The tool path with its z axis at points along it, beside the workspace path that it follows.
 
     Args:
-        robot: the arm.
-        motion: a JointPath, Trajectory or Tracking.
         workspace_path: the path that is followed; None: no comparison.
         ax: Matplotlib axes, with projection="3d" unless the arm is planar; None: those of a new figure.
-
-    Returns the axes.
     """
     curve = joint_path("motion", motion, instance("robot", robot, Robot))
     if workspace_path is not None and not isinstance(workspace_path, CartesianPath):

@@ -49,14 +49,12 @@ def plot_joints(
     """Joint positions, velocities, accelerations or jerks over time; finite limits as dashed lines in the joint's colour.
 
     Args:
-        trajectory: the motion.
         limits: `robot.limits`; None: no limits are drawn.
         order: 0 position, 1 velocity, 2 acceleration, 3 jerk.
         share: draw each joint relative to its limits: to its range for positions, to ± its limit for derivatives.
         unit: unit of the joints, for the axis label.
-        ax: Matplotlib axes; None: those of a new figure.
 
-    Returns the axes. Raises InvalidInputError for `share` unless every joint has finite limits, or for limits of other joints.
+    Raises InvalidInputError for `share` unless every joint has finite limits, or for limits of other joints.
     """
     trajectory = instance("trajectory", trajectory, Trajectory)
     order = whole_number("order", order, least=0, most=3)
@@ -109,9 +107,6 @@ def plot_manipulability(
         paths: a JointPath, Trajectory or Tracking per name; paths with the same values of the measure share a curve.
         straight: whether the straight line in joint space between the ends of the first path is drawn for comparison.
         bound: a value of the measure to draw as a line, such as `Refinement.bound`.
-        ax: Matplotlib axes; None: those of a new figure.
-
-    Returns the axes.
     """
     instance("kinematics", kinematics, Kinematics)
     if not isinstance(paths, Mapping) or not paths:
@@ -165,15 +160,7 @@ def draw_measure(shown: ShownMotion, ax: Any) -> None:
 
 
 def plot_singular_values(kinematics: Kinematics, path: Motion, *, ax: Any = None) -> Any:
-    """All singular values of the task's Jacobian along a motion, over the share of its length; a dot marks each minimum.
-
-    Args:
-        kinematics: of the arm, with its task.
-        path: a JointPath, Trajectory or Tracking.
-        ax: Matplotlib axes; None: those of a new figure.
-
-    Returns the axes.
-    """
+    """All singular values of the task's Jacobian along a motion, over the share of its length; a dot marks each minimum."""
     instance("kinematics", kinematics, Kinematics)
     curve = joint_path("path", path, kinematics.robot)
     s = np.linspace(0.0, 1.0, POINTS)
@@ -203,9 +190,8 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
         layers: the candidates; at most 120 per position are drawn, evenly by rank.
         result: a SearchResult or a Refinement of these layers: its manipulability at each position, its minimum and its
             bound. For a search that found no path, the position that no path reaches.
-        ax: Matplotlib axes; None: those of a new figure.
 
-    Returns the axes. Raises InvalidInputError for a result with another number of positions.
+    Raises InvalidInputError for a result with another number of positions.
     """
     instance("layers", layers, Layers)
     if result is not None and not isinstance(result, SearchResult | Refinement):
@@ -243,11 +229,7 @@ def plot_layers(layers: Layers, result: SearchResult | Refinement | None = None,
 def plot_convergence(result: PathResult, *, ax: Any = None) -> Any:
     """g after each solve of the optimiser: filled for a collision-free path, hollow for a path in collision.
 
-    Args:
-        result: of `optimize_path`, or `plan.result`.
-        ax: Matplotlib axes; None: those of a new figure.
-
-    Returns the axes. Raises InvalidInputError for a result without solves.
+    `result` is that of `optimize_path`, or `plan.result`. Raises InvalidInputError for a result without solves.
     """
     history = instance("result", result, PathResult).history
     if not history:

@@ -15,7 +15,7 @@ from manipplan.support.errors import InvalidInputError, MissingExtraError
 from manipplan.support.files import write_bytes
 from manipplan.support.progress import Progress, as_callback
 from manipplan.viz import style
-from manipplan.viz.animation import HOLD, LARGER, MOST_GIF_FPS, SAMPLES, frame_times, picture_of, write_gif
+from manipplan.viz.animation import HOLD, LARGER, MOST_GIF_FPS, SAMPLES, frame_times, frames_of, picture_of, write_gif
 from manipplan.viz.motions import MotionSamples, ShownMotion, skeleton
 from manipplan.viz.render import DrawnWay, Picture, Renderer
 
@@ -89,17 +89,12 @@ def film(
                 picture_of(stage.figure).save(stream, format="PNG", optimize=True)
                 return
 
-            def frames() -> Iterator[None]:
-                for k, time in enumerate(times.tolist()):
-                    notify(k / len(times), f"frame {k + 1} of {len(times)}")
-                    stage.show(time)
-                    yield
-
+            frames = frames_of(times, stage.show, notify)
             if kind == ".gif":
                 some = times[np.linspace(0, len(times) - 1, SOME).astype(int)].tolist()
-                write_gif(stream, stage.figure, map(stage.show, some), frames(), fps, colours)
+                write_gif(stream, stage.figure, map(stage.show, some), frames, fps, colours)
             else:
-                _write_webp(stream, stage.figure, frames(), fps, quality)
+                _write_webp(stream, stage.figure, frames, fps, quality)
 
         write_bytes(file, write)
     notify(1.0, "done")

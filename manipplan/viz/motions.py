@@ -133,12 +133,7 @@ def state_at(states: Sequence[State], t: float) -> int:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MovedPart:
-    """A part that a program takes up or puts down.
-
-    Attributes:
-        name: of the part.
-        states: as in `ShownMotion`.
-    """
+    """A part that a program takes up or puts down; `states` as in `ShownMotion`."""
 
     name: str
     states: tuple[State, ...]
@@ -217,14 +212,12 @@ class ShownMotion:
     """The data behind the pictures of a plan or program, at evenly spaced times.
 
     Attributes:
-        plan: the plan or program.
         robot: the arm; for a program without what it carries.
         scene: the obstacles that stay where they are.
         states: arm and scene, and since when they are so, from 0 on; of a plan one.
         moved: the parts that a program moves.
         marks: when the steps of a program begin.
         status: what the motion is.
-        trajectory: its motion.
         kinematics: kinematics with the measure that is drawn.
         tools: the tools whose ways and ellipsoids are drawn.
         t: (k,) times [s].

@@ -69,11 +69,8 @@ class Renderer:
         """Build the model and place the camera.
 
         Args:
-            robot: the arm.
-            scene: obstacles.
             shown: (k, 3) points that have to be in the picture [m], beside the obstacles.
             size: width and height [pixels].
-            dark: whether the background is dark.
             direction: azimuth and elevation in which the camera looks [°].
 
         Raises ManipplanError where MuJoCo cannot render.
@@ -128,12 +125,9 @@ class Renderer:
     def draw(
         self, q: Array, lines: Sequence[DrawnWay] = (), ellipsoids: Sequence[tuple[Ellipsoid, Array, float, str]] = ()
     ) -> Picture:
-        """A picture (height, width, 3) at q (n,).
+        """A picture (height, width, 3) at q (n,) with ways of tools.
 
-        Args:
-            q: configuration.
-            lines: ways of tools.
-            ellipsoids: with their centres (3,) [m], metres per unit of their radii, and colours.
+        The ellipsoids come with their centres (3,) [m], metres per unit of their radii, and colours.
         """
         import mujoco
 

@@ -8,9 +8,10 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
+from manipplan.collision.covers import frame_along
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Plane, PointCloud
-from manipplan.collision.surfaces import merge_corners
+from manipplan.collision.surfaces import components, merge_corners
 from manipplan.collision.world import core_of, mesh_triangles
 from manipplan.robots.hulls import convex_hull, find_hull
 from manipplan.robots.robot import Robot
@@ -303,24 +304,16 @@ def _sides(corners: Array, faces: Faces) -> tuple[Faces, Faces, Array]:
 
 def _crease(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
     """The same triangles, with separate vertices on the two sides of a sharp edge."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
     _, beside, cosines = _sides(vertices, faces)
     smooth = beside[(beside >= 0).all(axis=1) & (cosines > np.cos(SHARP))]
-    graph = coo_array((np.ones(len(smooth)), tuple(smooth.T)), shape=(len(faces),) * 2)
-    patch = connected_components(graph, directed=False)[1]
-    corners = np.stack([faces.ravel(), np.repeat(patch, 3)], axis=1)
+    corners = np.stack([faces.ravel(), np.repeat(components(smooth, len(faces)), 3)], axis=1)
     chosen, index = np.unique(corners, axis=0, return_inverse=True)
     return vertices[chosen[:, 0]], index.reshape(-1, 3)
 
 
 def _square(normal: Array, offset: float) -> tuple[Array, Faces]:
     """A square in the plane normal · x = offset."""
-    normal = normal / np.linalg.norm(normal)
-    first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    first /= np.linalg.norm(first)
-    second = np.cross(normal, first)
+    first, second, normal = frame_along(normal).T
     corners = [offset * normal + PLANE * (a * first + b * second) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     return np.array(corners), np.array([[0, 1, 2], [0, 2, 3]])
 

@@ -47,7 +47,6 @@ def follow_target(
     """Show a target to drag in the browser; the tool follows it in real time while the formulation raises the manipulability.
 
     Args:
-        robot: the arm.
         formulation: of the controller; default LogDrive().
         start: initial configuration (n,), or the name of one of `robot.states`; default `robot.neutral`.
         dt: time step of the controller [s].
@@ -193,7 +192,6 @@ class LiveViewer(LiveArm):
 
     Attributes:
         controller: computes the steps.
-        drive: factor >= 0 on the formulation's drive; 0: the arm only follows the target.
     """
 
     def __init__(self, controller: Controller, start: Array, scene: Scene, *, port: int, host: str) -> None:
@@ -207,7 +205,7 @@ class LiveViewer(LiveArm):
 
     @property
     def drive(self) -> float:
-        """Factor on the formulation's drive."""
+        """Factor >= 0 on the formulation's drive; 0: the arm only follows the target."""
         return self._drive
 
     @drive.setter

@@ -175,7 +175,6 @@ class PlanViewer(Page):
     Attributes:
         motion: the motion that is shown.
         stage: the 3D scene.
-        speed: playback speed relative to real time, above zero.
         repeats: whether the playback starts again at the end.
         replanner: what is dragged and planned again; None where the motion is no plan from a start to a goal.
     """
@@ -214,7 +213,7 @@ class PlanViewer(Page):
 
     @property
     def speed(self) -> float:
-        """Playback speed relative to real time."""
+        """Playback speed relative to real time, above zero."""
         return self._speed
 
     @speed.setter

@@ -68,14 +68,10 @@ def guarded(address: str, title: str) -> Iterator[None]:
 
 
 def refusal(hosts: list[str], origins: list[str], address: str) -> str:
-    """Why a request is refused; "" if it is not.
+    """Why a request with these headers Host and Origin to a server that listens at `address` is refused; "" if it is not.
 
     A page of another site names its own origin, and one that makes its name point to this machine (DNS rebinding) names itself
     as host. Programs that are no browsers send no origin.
-
-    Args:
-        hosts, origins: the values of the headers Host and Origin.
-        address: where the server listens.
     """
     host = hosts[0] if len(hosts) == 1 and "@" not in hosts[0] else ""
     if not _is_own(_part(f"//{host}", "hostname"), address):

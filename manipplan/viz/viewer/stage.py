@@ -402,8 +402,6 @@ class MotionFigure:
     """One motion: the arm on it, the ways of its tools, ellipsoids and a title.
 
     Attributes:
-        samples: the motion.
-        robot: figure of the arm.
         ellipsoids: the ellipsoid at each tool.
         path, moving, fixed, title: viser's handles of ways, ellipsoids at the tool, ellipsoids on the way, and the title.
     """
@@ -438,7 +436,6 @@ class Stage:
     """The drawing of a motion in the scene of a viser server.
 
     Attributes:
-        motion: the motion that is shown.
         figures: the figure of each of its motions, first that of the motion itself.
         around: obstacles, floor and camera.
         parts: figures of the parts that a program moves.

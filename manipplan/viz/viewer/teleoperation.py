@@ -53,7 +53,6 @@ def teleoperate(
     """Show an arm in the browser whose tool keys and buttons move, through singularities and within all limits.
 
     Args:
-        robot: the arm.
         start: initial configuration (n,), or the name of one of `robot.states`; default `robot.neutral`.
         dt: time step of the servo [s].
         task, side: as for `Servo`.
@@ -80,7 +79,6 @@ class ServoViewer(LiveArm):
 
     Attributes:
         servo: computes the steps.
-        frame: axes of the commands, "world" or "tool".
         speed: of keys and buttons [m/s]; turns take four radians per metre.
     """
 
@@ -99,7 +97,7 @@ class ServoViewer(LiveArm):
 
     @property
     def frame(self) -> str:
-        """Axes of the commands."""
+        """Axes of the commands, "world" or "tool"."""
         return self._frame
 
     @frame.setter
