@@ -128,4 +128,5 @@ def test_motion_is_the_same_by_numpy(arm, rng, monkeypatch, by):
     q, change = arm.random_configuration(rng, size=20), rng.uniform(0.0, 0.3, (20, arm.n))
     rows, pairs = np.sort(rng.integers(0, 20, 300)), rng.integers(0, len(model.pair_names), 300)
     found, slow = reach.motion(q, change, rows, pairs), reach._motion_by_numpy(q, change, rows, pairs)
-    np.testing.assert_allclose(found, slow, rtol=1e-12, atol=1e-15)
+    # a point on a joint's axis has a lever of 0 in one and the root of a rounding error, 1e-8, in the other
+    np.testing.assert_allclose(found, slow, rtol=1e-12, atol=1e-7)
