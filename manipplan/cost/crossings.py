@@ -93,8 +93,8 @@ class Crossing:
 def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> tuple[Crossing, ...]:
     """The singularities that a path of known cost meets, in their order along the path.
 
-    With as many joints as task rows they are the places where a factor of det J, or det J itself where its factors are not
-    known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
+    With as many joints as task rows, apart from joints that never move what counts, they are the places where a factor of det J,
+    or det J itself where its factors are not known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
     goal comes besides. Two factors that vanish at one place count as two crossings. A path that is singular everywhere crosses
     none.
     """
@@ -126,7 +126,7 @@ def with_shares(crossings: Sequence[Crossing], path: JointPath, integral: PathIn
 
 
 def least_crossings(kinematics: Kinematics, start: Array, goal: Array) -> int | None:
-    """A lower bound on the crossings of any path between two configurations (n,); None for arms with more joints than rows.
+    """A lower bound on the crossings of any path between two configurations (n,); None where `singularity_signs` are.
 
     A factor of det J that depends on one joint vanishes at least as often as on the straight way of that joint; any other one
     at least once if it has different signs at start and goal. Where the factors are not known, det J counts as the only one.

@@ -19,6 +19,7 @@ import casadi as ca
 import numpy as np
 
 from manipplan.cost.integral import MOST_POWER, PathIntegral, metric_matrix
+from manipplan.kinematics.factors import idle_joints
 from manipplan.kinematics.kinematics import Kinematics, steady
 from manipplan.measures.manipulability import Constant, Yoshikawa
 from manipplan.measures.measure import Measure
@@ -198,11 +199,6 @@ def _density(
     return as_asked(functions, kinematics.compiled, subject, at_once=at_once)
 
 
-#: Number of random configurations in which joints that do not move the tool are looked for, and the largest entry of their
-#: columns of the Jacobian, as a share of the largest of all.
-POSTURES, IDLE = 50, 1e-9
-
-
 @one_line
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PathObjective:
@@ -275,10 +271,7 @@ def idle_hint(kinematics: Kinematics) -> str:
 
     A joint whose axis the tool lies on does not move what counts of it.
     """
-    robot = kinematics.robot
-    q = robot.random_configuration(np.random.default_rng(0), size=POSTURES)
-    jacobians = np.abs(kinematics.jacobian(q))
-    idle = jacobians.max(axis=(0, 1)) <= IDLE * jacobians.max()
+    robot, idle = kinematics.robot, idle_joints(kinematics)
     if not idle.any() or robot.n - idle.sum() >= kinematics.task.rows:
         return ""
     names = " and ".join(name for name, still in zip(robot.joint_names, idle, strict=True) if still)

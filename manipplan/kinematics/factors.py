@@ -23,6 +23,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pinocchio as pin
+from numpy.typing import NDArray
 
 from manipplan.kinematics.batch import BatchKernel, run_kernel
 from manipplan.kinematics.kinematics import Kinematics
@@ -55,13 +56,11 @@ class DeterminantFactor:
     Attributes:
         name: "elbow", "wrist", "shoulder" or "arm".
         joint: the only joint on which it depends, counted from 0; None for several.
-        usual: the mean of its absolute values over random configurations.
         value: the factor as a function of the `Axes`, which can also be symbols.
     """
 
     name: str
     joint: int | None
-    usual: float
     value: Value
 
 
@@ -83,16 +82,10 @@ def determinant_factors(robot: Robot) -> tuple[DeterminantFactor, ...]:
     values = {name: np.array([float(value(*each)) for each in axes]) for name, value in found.items()}
     true = np.array([_determinant_at(*each) for each in axes])
     product = np.prod(list(values.values()), axis=0)
-    if not found or not product.any():
-        return ()
-    scale = float(true @ product / (product @ product))
-    if np.abs(true - scale * product).max() > AGREEMENT * np.abs(true).max():
+    if not found or not _is_proportional(product, true):
         return ()
     return tuple(
-        DeterminantFactor(
-            name=name, joint=_only_joint(robot, value, samples), usual=float(np.abs(values[name]).mean()), value=value
-        )
-        for name, value in found.items()
+        DeterminantFactor(name=name, joint=_only_joint(robot, value, samples), value=value) for name, value in found.items()
     )
 
 
@@ -221,10 +214,11 @@ def _only_joint(robot: Robot, value: Value, samples: Array) -> int | None:
     return moving[0] if len(moving) == 1 else None
 
 
-#: A value counts as zero below this share of its usual size.
-ZERO = 1e-6
-#: Number of random configurations over which the usual size of det J is a mean.
-SIGN_SAMPLES = 40
+#: Number of random configurations in which joints that do not move the tool are looked for, and the largest entry of their
+#: columns of the Jacobian, as a share of the largest of all.
+POSTURES, IDLE = 50, 1e-9
+#: A value counts as zero below this share of its mean size over a number of random configurations.
+ZERO, SIGN_SAMPLES = 1e-6, 40
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -261,25 +255,48 @@ class SingularitySigns:
         return sum(int((np.diff(v[np.abs(v) >= zero] >= 0)).sum()) for v, zero in zip(values.T, self.zero, strict=True))
 
 
+def idle_joints(kinematics: Kinematics) -> NDArray[np.bool_]:
+    """Which joints (n,) never move the tool as the task counts it, such as one whose axis the tool lies on."""
+    q = kinematics.robot.random_configuration(np.random.default_rng(0), size=POSTURES)
+    jacobians = np.abs(kinematics.jacobian(q))
+    return np.asarray(jacobians.max(axis=(0, 1)) <= IDLE * jacobians.max())
+
+
 def singularity_signs(kinematics: Kinematics) -> SingularitySigns | None:
-    """The signs for an arm and task, built once; None for arms with more joints than rows."""
-    if not kinematics.is_square:
+    """The signs for an arm and task, built once; None for arms with more joints than rows, but for those that are idle."""
+    if kinematics.measure.over_tools or kinematics.measure.constant:
         return None
     return _singularity_signs(kinematics.robot, kinematics.task, kinematics.compiled, kinematics.backend)
 
 
 @once_per_source
-def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns:
-    is_pose = task.rows == 6 and not (task.world_rows and task.tool_rows)
-    factors = determinant_factors(robot) if is_pose else ()
+def _singularity_signs(robot: Robot, task: Task, compiled: bool | str, backend: str) -> SingularitySigns | None:
     kinematics = robot.kinematics(task, compiled=compiled, backend=backend)
-    function = _factors(robot, factors) if factors else _determinant_function(kinematics)
+    moving = np.ones(robot.n, dtype=np.bool_) if robot.n == task.rows else ~idle_joints(kinematics)
+    if moving.sum() != task.rows:
+        return None
+    q = robot.random_configuration(np.random.default_rng(0), size=SIGN_SAMPLES)
+    factors, function = determinant_factors(robot), _determinant_function(kinematics, moving)
+    if factors:
+        product = _factors(robot, factors)
+        if _is_proportional(np.prod(np.array(product(ca.DM(q.T))), axis=0), np.array(function(ca.DM(q.T)))[0]):
+            function = product
+        else:
+            factors = ()
     return SingularitySigns(
         names=tuple(each.name for each in factors) or ("",),
         joints=tuple(each.joint for each in factors) or (None,),
-        zero=ZERO * (np.array([each.usual for each in factors]) if factors else _usual(function, robot)),
+        zero=ZERO * np.abs(np.array(function(ca.DM(q.T)))).mean(axis=1),
         kernel=BatchKernel(function, compiled, f"signs of {robot.name}, in batches"),
     )
+
+
+def _is_proportional(product: Array, true: Array) -> bool:
+    """Whether true values (k,) are a multiple of those of a product, which is not zero everywhere."""
+    if not product.any():
+        return False
+    scale = float(true @ product / (product @ product))
+    return bool(np.abs(true - scale * product).max() <= AGREEMENT * np.abs(true).max())
 
 
 def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Function:
@@ -290,11 +307,6 @@ def _factors(robot: Robot, factors: tuple[DeterminantFactor, ...]) -> ca.Functio
     return ca.Function("signs", [chain.q], [ca.densify(values)], ["q"], ["values"])
 
 
-def _determinant_function(kinematics: Kinematics) -> ca.Function:
-    value = determinant(kinematics.symbolic.posture.jacobian)
+def _determinant_function(kinematics: Kinematics, moving: NDArray[np.bool_]) -> ca.Function:
+    value = determinant(kinematics.symbolic.posture.jacobian[:, np.flatnonzero(moving).tolist()])
     return ca.Function("signs", [kinematics.chain.q], [ca.densify(value)], ["q"], ["values"])
-
-
-def _usual(function: ca.Function, robot: Robot) -> Array:
-    samples = robot.random_configuration(np.random.default_rng(0), size=SIGN_SAMPLES)
-    return np.array([float(np.abs(np.array(function(ca.DM(samples.T)))).mean())])

@@ -281,11 +281,13 @@ class _Refiner:
         slopes, slack = np.zeros((len(q), ROWS, self.robot.n)), np.ones((len(q), ROWS))
         if self.model is None:
             return slopes, slack
-        for k, (each, distances) in enumerate(zip(q, self.model.distance_rows(q, beyond=self.clearance + NEAR), strict=True)):
-            for row, pair in enumerate(np.argsort(distances)[:ROWS]):
-                if distances[pair] < self.clearance + NEAR:
-                    slopes[k, row] = self.model.witnesses(each[None], [pair]).gradients[0]
-                    slack[k, row] = max(distances[pair] - self.clearance - 0.05 * trust * NEAR, 0.0)
+        distances = self.model.distance_rows(q, beyond=self.clearance + NEAR)
+        nearest = np.argsort(distances, axis=1)[:, :ROWS]
+        apart = np.take_along_axis(distances, nearest, axis=1)
+        where, rows = np.nonzero(apart < self.clearance + NEAR)
+        if len(where):
+            slopes[where, rows] = self.model.witnesses(q[where], nearest[where, rows]).gradients
+            slack[where, rows] = np.maximum(apart[where, rows] - self.clearance - 0.05 * trust * NEAR, 0.0)
         return slopes, slack
 
     def _on_poses(self, q: Array) -> Array:

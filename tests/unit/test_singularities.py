@@ -211,6 +211,23 @@ def test_crossings_are_where_factors_vanish(name, rng):
     assert count > 3
 
 
+def test_a_joint_that_does_not_move_what_counts_leaves_the_factors_of_the_pose(rng):
+    """The UR5's last joint turns about the tool's z-axis: J of that axis is square without it, and its determinant the same."""
+    robot = mp.load_robot("ur5")
+    kinematics = robot.kinematics(mp.Task.pointing([0, 0, 1]))
+    signs, q = singularity_signs(kinematics), robot.random_configuration(rng, size=200)
+    assert signs.names == ("elbow", "wrist", "shoulder")
+    ratio = np.abs(signs.values(q).prod(axis=1)) / kinematics.manipulability(q)
+    np.testing.assert_allclose(ratio, ratio[0], rtol=1e-6)
+    start = np.array([0.3, -1.2, 1.4, -0.5, 0.8, 0.0])
+    goal = start * [1, 1, 1, 1, -1, 1]
+    assert least_crossings(kinematics, start, goal) == 1
+    found = crossings_of(mp.JointPath.line(start, goal), mp.PathObjective(task=kinematics.task).integral(robot))
+    assert [(each.kind, round(each.at, 9)) for each in found] == [("wrist", 0.5)]
+    assert singularity_signs(robot.kinematics(mp.Task.pointing([1, 0, 0]))) is None  # that axis is moved by all joints
+    assert singularity_signs(robot.kinematics(mp.Task.position())) is None
+
+
 @pytest.mark.slow
 def test_two_factors_that_vanish_between_the_same_samples():
     """Here det J has the same sign at all samples: the elbow and the shoulder vanish within a ten-thousandth of the path."""
