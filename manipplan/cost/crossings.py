@@ -93,10 +93,10 @@ class Crossing:
 def find_crossings(path: JointPath, integral: PathIntegral, cost: PathCost) -> tuple[Crossing, ...]:
     """The singularities that a path of known cost meets, in their order along the path.
 
-    With as many joints as task rows, apart from joints that never move what counts, they are the places where a factor of det J,
-    or det J itself where its factors are not known, changes its sign. With more joints it is the place of the minimum of m, if J loses rank there. A singular start or
-    goal comes besides. Two factors that vanish at one place count as two crossings. A path that is singular everywhere crosses
-    none.
+    With as many joints as task rows, apart from joints that never move what counts, they are the places where a factor of
+    det J, or det J itself where its factors are not known, changes its sign. With more joints it is the place of the
+    minimum of m, if J loses rank there. A singular start or goal comes besides. Two factors that vanish at one place count
+    as two crossings. A path that is singular everywhere crosses none.
     """
     kinematics = integral.kinematics
     ends = {s: path(np.array([s])) for s in (0.0, 1.0)}
