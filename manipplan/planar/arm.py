@@ -224,5 +224,5 @@ def _orientations(arm: PlanarArm, target: Array) -> tuple[tuple[float, float], .
 def check_links(arm: PlanarArm, least: int, most: int) -> None:
     """Raise InvalidInputError for anything but a planar arm with a number of links in this range."""
     if not least <= instance("arm", arm, PlanarArm).n <= most:
-        count = str(most) if least == most else f"two to {most}"
+        count = str(most) if least == most else f"{least} to {most}"
         raise InvalidInputError("arm", arm, f"a PlanarArm with {count} links")

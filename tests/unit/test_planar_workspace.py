@@ -190,7 +190,7 @@ def test_the_thesis_limits_leave_radii_from_1_to_3():
         (lambda: planar.two_link_postures(UNIT, [1, 1]), "2 links"),
         (lambda: planar.pose_postures(UNIT, [1, np.nan], 0.0), "position: got"),
         (lambda: planar.pose_postures(UNIT, [1, 1], np.inf), "orientation: got"),
-        (lambda: planar.is_reachable(planar.PlanarArm([1] * 4), [1, 1]), "two to 3 links"),
+        (lambda: planar.is_reachable(planar.PlanarArm([1] * 4), [1, 1]), "2 to 3 links"),
         (lambda: planar.workspace_boundary(UNIT, 1.0, -1.0), "lower, upper: got"),
         (lambda: planar.workspace_boundary(UNIT, [0.0, 0.0], 1.0), "lower: got"),
         (lambda: planar.reachable_radii(UNIT, np.nan, 1.0), "lower: got"),
