@@ -412,7 +412,7 @@ def _on_path(leg: Leg, state: State, planners: ToolPathPlanners) -> Iterator[Nod
         if along.positions is None:
             if not first.connected:
                 planner = connect(planners.made(along, along.path, state, spacing=SPACING), EPSILON, planners.check)
-            planner, first = raise_minimum(planner, EPSILON, planners.check).search(EPSILON)
+            _, (planner, first) = raise_minimum(planner, EPSILON, planners.check)
     except InvalidInputError as error:
         raise InvalidInputError(f"steps[{number}].{error.argument}", error.value, error.allowed) from error
     if not first.connected:

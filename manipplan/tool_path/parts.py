@@ -125,6 +125,8 @@ HALVED, HALVED_STEP = 3, 6
 GAIN, RAISED, LONGEST = 0.01, 8, 3.0
 #: Maximum number of candidates up to which positions are added.
 MOST = 20_000_000
+#: What `ToolPathPlanner.search` returns.
+Searched = tuple[ToolPathPlanner, SearchResult]
 
 
 def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None) -> ToolPathPlanner:
@@ -153,8 +155,8 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
 
 def raise_minimum(
     planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None
-) -> ToolPathPlanner:
-    """The planner with more positions where joints have to be faster for a larger minimum manipulability.
+) -> tuple[ToolPathPlanner, Searched]:
+    """The planner with more positions where joints have to be faster for a larger minimum manipulability, and its search.
 
     The same one for a tool speed, which the joints may not keep there, and for arms with several parameters.
 
@@ -162,21 +164,14 @@ def raise_minimum(
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
     a minimum larger by GAIN, even with the longest steps that positions can be put between.
     """
-    best, least, calm = planner, -np.inf, False
+    raised, begun, found = planner, *_searched(planner, epsilon, notify, start)
+    best = begun, found
     if planner.demand is not None or planner.has_several_parameters:
-        return planner
+        return raised, best
     for _ in range(RAISED):
-        begun = planner if start is None else planner.starting_at(start)
-        waiting = part(notify, 0.0, 0.0)
-        found = max_min_search(begun.layers, epsilon, explain=False, throw=False, progress=waiting)
-        is_calm = found.connected and begun.is_calm(found)
-        if calm and not is_calm:
-            break
-        if best is planner or found.minimum > least + GAIN * abs(least):
-            best, least, calm = planner, found.minimum, is_calm
-        needed = np.ones(0, dtype=np.int64)
+        needed, least = np.ones(0, dtype=np.int64), best[1].minimum + GAIN * abs(best[1].minimum)
         if found.connected:
-            needed = _pieces_needed(begun, epsilon, least + GAIN * abs(least), waiting)
+            needed = _pieces_needed(begun, epsilon, least, part(notify, 0.0, 0.0))
         if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST or planner.deadline.passed:
             break
         notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
@@ -184,7 +179,17 @@ def raise_minimum(
             planner = planner.divided(needed, silent)
         except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
             break
-    return best
+        begun, found = _searched(planner, epsilon, part(notify, 0.0, 0.0), start)
+        if best[0].is_calm(best[1]) and not (found.connected and begun.is_calm(found)):
+            break
+        if found.minimum > least:
+            raised, best = planner, (begun, found)
+    return raised, best
+
+
+def _searched(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, start: Array | None) -> Searched:
+    """The search from a start (n,) at the first pose; None: from any configuration there."""
+    return (planner if start is None else planner.starting_at(start)).search(epsilon, progress=notify)
 
 
 def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float, notify: Progress) -> NDArray[np.int64]:
@@ -211,8 +216,8 @@ def find_whole(
 ) -> FoundPart | NotConnected:
     """The best motion along all of a path, with as many positions as it needs; see `find_parts`."""
     planner = connect(planner, epsilon, part(notify, 0.0, 0.3), start=start)
-    planner = raise_minimum(planner, epsilon, part(notify, 0.3, 0.5), start=start)
-    options = _find_parts(planner, epsilon, 0, notify, start)
+    planner, searched = raise_minimum(planner, epsilon, part(notify, 0.3, 0.5), start=start)
+    options = _find_parts(planner, epsilon, 0, notify, start, searched)
     return options if isinstance(options, NotConnected) else next(options)[0]
 
 
@@ -297,9 +302,11 @@ def _closely(
         try:
             if connects:
                 planner = connect(planner, epsilon, part(share, 0.0, 0.2), start=start)
-                if not k:
-                    planner = raise_minimum(planner, epsilon, part(share, 0.2, 0.3), start=start)
-            options = _find_parts(planner, epsilon, most, part(share, 0.3, 1.0), start)
+            if connects and not k:
+                planner, searched = raise_minimum(planner, epsilon, part(share, 0.2, 0.4), start=start)
+            else:
+                searched = _searched(planner, epsilon, part(share, 0.2, 0.4), start)
+            options = _find_parts(planner, epsilon, most, part(share, 0.4, 1.0), start, searched)
         except OutOfTimeError:
             if found is None:
                 raise
@@ -325,10 +332,10 @@ def _closely(
 
 
 def _find_parts(
-    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None
+    planner: ToolPathPlanner, epsilon: ArrayLike, most: int, notify: Progress, start: Array | None, searched: Searched
 ) -> Iterator[list[FoundPart]] | NotConnected:
-    """The same for the positions there are."""
-    begun, found = (planner if start is None else planner.starting_at(start)).search(epsilon, progress=part(notify, 0.0, 0.4))
+    """The same for the positions there are, after the search through them."""
+    begun, found = searched
     if found.connected:
         return iter([[FoundPart(s_begin=0.0, s_end=1.0, first=0, planner=begun, found=found, is_held=start is not None)]])
     best = planner.at_any_pace() if planner.layers.closed else begun
