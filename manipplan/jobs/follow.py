@@ -275,7 +275,7 @@ def follow(
     def attempt(spare: float, say: Progress, task: Task | None, within: Tolerance | None) -> Plan | PartialPlan:
         """The motion whose positions keep a distance beyond the clearance, for a task and a tolerance of the search."""
 
-        def sampled(samples: int | Sequence[int] | None, notify: Progress) -> ToolPathPlanner:
+        def sample(samples: int | Sequence[int] | None, notify: Progress) -> ToolPathPlanner:
             layers = sample_layers(
                 robot,
                 path,
@@ -298,18 +298,18 @@ def follow(
             )
             return planner.at_speed(demand)
 
-        def begin_of(planner: ToolPathPlanner) -> Array | None:
+        def find_begin(planner: ToolPathPlanner) -> Array | None:
             """The start where it is at the first pose of the path."""
             return q_start if q_start is not None and planner.is_at_start(q_start) else None
 
         planner = None
         if samples is None and _has_two_parameters(robot, task):
             with suppress(InvalidInputError):  # of a position at which none of fewer samples is free
-                fewer = sampled(FEWER_SAMPLES, part(say, 0.0, 0.1))
-                planner = fewer if fewer.reaches(ENOUGH, epsilon, begin_of(fewer)) else None
+                fewer = sample(FEWER_SAMPLES, part(say, 0.0, 0.1))
+                planner = fewer if fewer.reaches(ENOUGH, epsilon, find_begin(fewer)) else None
         if planner is None:
-            planner = sampled(samples, part(say, 0.1, 0.4))
-        begin = begin_of(planner)
+            planner = sample(samples, part(say, 0.1, 0.4))
+        begin = find_begin(planner)
         sampler = planner.layers.sampler
         assert sampler is not None
         if max(float(m.max()) for m in planner.layers.m) < VANISHING:

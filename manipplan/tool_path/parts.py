@@ -164,7 +164,7 @@ def raise_minimum(
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
     a minimum larger by GAIN, even with the longest steps that positions can be put between.
     """
-    raised, begun, found = planner, *_searched(planner, epsilon, notify, start)
+    raised, begun, found = planner, *_search_from(planner, epsilon, notify, start)
     best = begun, found
     if planner.demand is not None or planner.has_several_parameters:
         return raised, best
@@ -179,7 +179,7 @@ def raise_minimum(
             planner = planner.divided(needed, silent)
         except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
             break
-        begun, found = _searched(planner, epsilon, part(notify, 0.0, 0.0), start)
+        begun, found = _search_from(planner, epsilon, part(notify, 0.0, 0.0), start)
         if best[0].is_calm(best[1]) and not (found.connected and begun.is_calm(found)):
             break
         if found.minimum > least:
@@ -187,7 +187,7 @@ def raise_minimum(
     return raised, best
 
 
-def _searched(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, start: Array | None) -> Searched:
+def _search_from(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, start: Array | None) -> Searched:
     """The search from a start (n,) at the first pose; None: from any configuration there."""
     return (planner if start is None else planner.starting_at(start)).search(epsilon, progress=notify)
 
@@ -305,7 +305,7 @@ def _closely(
             if connects and not k:
                 planner, searched = raise_minimum(planner, epsilon, part(share, 0.2, 0.4), start=start)
             else:
-                searched = _searched(planner, epsilon, part(share, 0.2, 0.4), start)
+                searched = _search_from(planner, epsilon, part(share, 0.2, 0.4), start)
             options = _find_parts(planner, epsilon, most, part(share, 0.4, 1.0), start, searched)
         except OutOfTimeError:
             if found is None:
