@@ -189,6 +189,9 @@ def finish(folder: Path) -> None:
 def _finish(folder: Path) -> None:
     for left in folder.glob(f"{WRITING}*"):
         shutil.rmtree(left)
+    for name in RESULT:
+        for part in folder.glob(f".{name}.*.part"):  # of a file that a killed process was writing
+            part.unlink()
     for written in folder.glob(f"{WRITTEN}*"):
         for name in RESULT:
             for old in folder.glob(name):
