@@ -49,17 +49,6 @@ class Deviation:
     rotation: float
     rotation_at: float
 
-    @classmethod
-    def largest(cls, at: Array, position: Array, rotation: Array) -> "Deviation":
-        """The largest of distances (k,) [m] and angles (k,) [rad] at places (k,)."""
-        far, turned = int(position.argmax()), int(rotation.argmax())
-        return cls(
-            position=float(position[far]),
-            position_at=float(at[far]),
-            rotation=float(rotation[turned]),
-            rotation_at=float(at[turned]),
-        )
-
     def excess(self, tolerance: Tolerance, of: str) -> str:
         """Which part of a tolerance is exceeded, and after which share `of` what; "" if it is kept."""
         instance("tolerance", tolerance, Tolerance)
@@ -78,7 +67,7 @@ class Deviation:
 
 def deviation_from(path: CartesianPath, poses: Array, free: FreeMotion = NOTHING) -> Deviation:
     """Deviation of tool poses (k, 4, 4) from a path, regardless of time, but for what is free."""
-    return _largest(*deviations(path, poses, free))
+    return largest_deviation(_shares(len(poses)), *deviations(path, poses, free))
 
 
 def deviations(
@@ -430,7 +419,7 @@ def _squares(first: Array, second: Array) -> Array:
 
 def deviation_at(path: CartesianPath, s: Array, poses: Array, free: FreeMotion = NOTHING) -> Deviation:
     """Deviation of tool poses (k, 4, 4) from those of a path at s (k,): small only if all of the path is followed, in order."""
-    return _largest(*distances_between(poses, path(s), free))
+    return largest_deviation(_shares(len(poses)), *distances_between(poses, path(s), free))
 
 
 def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -> tuple[Array, Array]:
@@ -442,8 +431,19 @@ def distances_between(poses: Array, others: Array, free: FreeMotion = NOTHING) -
     return position, _angles(poses[:, :3, :3], rotations, free)
 
 
-def _largest(position: Array, rotation: Array) -> Deviation:
-    return Deviation.largest(np.arange(len(position)) / max(len(position) - 1, 1), position, rotation)
+def largest_deviation(at: Array, position: Array, rotation: Array) -> Deviation:
+    """The largest of distances (k,) [m] and of angles (k,) [rad] at places (k,)."""
+    far, turned = int(position.argmax()), int(rotation.argmax())
+    return Deviation(
+        position=float(position[far]),
+        position_at=float(at[far]),
+        rotation=float(rotation[turned]),
+        rotation_at=float(at[turned]),
+    )
+
+
+def _shares(count: int) -> Array:
+    return np.arange(count) / max(count - 1, 1)
 
 
 def _from_piece(poses: Array, begins: Array, ends: Array, free: FreeMotion, radian: float = RADIAN) -> tuple[Array, Array]:

@@ -15,7 +15,14 @@ from manipplan.cost.objective import idle_hint
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.paths.deviation import Deviation, beyond_polygon, deviations, distances_between, distances_from
+from manipplan.paths.deviation import (
+    Deviation,
+    beyond_polygon,
+    deviations,
+    distances_between,
+    distances_from,
+    largest_deviation,
+)
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -71,7 +78,7 @@ def tool_distances(
         left.append((np.concatenate([s for s, *_ in left]), *beyond_polygon(workspace_path.given, whole, free, tolerance)))
         given = distances_from(whole, workspace_path.given, free, tolerance, is_reached=True)
         missed.append((workspace_path.knots, *given))
-    left_most, missed_most = (Deviation.largest(*map(np.concatenate, zip(*each, strict=True))) for each in (left, missed))
+    left_most, missed_most = (largest_deviation(*map(np.concatenate, zip(*each, strict=True))) for each in (left, missed))
     return left_most, missed_most
 
 

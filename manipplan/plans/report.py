@@ -11,7 +11,7 @@ import numpy as np
 from manipplan.constraints.constraint_set import ConstraintFigure
 from manipplan.cost.integral import PathIntegral
 from manipplan.measures.manipulability import Constant
-from manipplan.paths.deviation import Deviation, angles_between
+from manipplan.paths.deviation import Deviation, angles_between, largest_deviation
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.paths.trajectory import Trajectory
@@ -140,7 +140,7 @@ def deviation_between(recorded: Trajectory, improved: Trajectory, integral: Path
     u = np.unique(np.concatenate([recorded.t / recorded.duration, improved.t / improved.duration, even]))
     kinematics = integral.kinematics
     first, second = (kinematics.pose(each(np.minimum(u * each.duration, each.duration))) for each in (recorded, improved))
-    return Deviation.largest(u, *pose_distances(first, second, kinematics.task))
+    return largest_deviation(u, *pose_distances(first, second, kinematics.task))
 
 
 def pose_distances(first: Array, second: Array, task: Task) -> tuple[Array, Array]:

@@ -193,11 +193,25 @@ def no_serious_fault(page):
     assert [each["id"] for each in found.response["violations"] if each["impact"] in ("serious", "critical")] == []
 
 
-def wait_until(true, seconds=60.0):
+def wait_until(true, seconds=60.0, every=0.02):
     end = time.monotonic() + seconds
     while not true():
         assert time.monotonic() < end, "nothing happened"
-        time.sleep(0.02)
+        time.sleep(every)
+
+
+def rate_of(shown):
+    """Seconds of the motion that pass in a second, between two moments at which the time that is shown changes."""
+
+    def change():
+        before = shown.time
+        wait_until(lambda: shown.time != before, every=0.001)
+        return shown.time, time.monotonic()
+
+    start, began = change()
+    time.sleep(0.3)
+    end, ended = change()
+    return (end - start) / (ended - began)
 
 
 def tool_of(figure):
@@ -243,10 +257,11 @@ def test_it_plays_at_real_speed_and_stops(shown, page):
     shown.time = 0.1
     page.get_by_role("button", name="Play").click()
     wait_until(lambda: shown.playing)
-    start, began = shown.time, time.monotonic()
-    time.sleep(1.0)
-    passed, real = shown.time - start, time.monotonic() - began
-    assert abs(passed - real) < 0.25
+    rates = []
+    for _ in range(3):  # the machine may be busy once
+        shown.time = 0.1
+        rates.append(rate_of(shown))
+    assert min(abs(rate - 1.0) for rate in rates) < 0.1, rates
     shown.speed = 0.05  # so that the end is far away, however late the click comes
     page.get_by_role("button", name="Pause").click()
     wait_until(lambda: not shown.playing)
