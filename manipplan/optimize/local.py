@@ -74,8 +74,9 @@ DESCENTS, SETTLED = 8, 2e-4
 #: where g bends much, as beside a singularity, a path may miss them although hardly more than the usual one is left to gain.
 FURTHER = 0.02
 #: Final margins after the first, second, ... path that is not proven free, such as along the bumps of a point cloud, except
-#: where descents go on until they settle [m]. With the first of them the first-order conditions can still be met.
-WIDER = (9e-5, 3e-4, 1e-3, 3e-3)
+#: where descents go on until they settle [m]. With the first four the first-order conditions can still be met, and each such
+#: path adds a place that is watched.
+WIDER = (7e-5, 9e-5, 9e-5, 9e-5, 3e-4, 1e-3, 3e-3)
 #: After this number of paths whose g the panels of the descents did not resolve, the panels follow each path: its dip of m is
 #: narrow, and moves.
 UNRESOLVED = 2

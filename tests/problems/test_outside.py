@@ -10,7 +10,8 @@ import pytest
 import manipplan as mp
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
-from outside import problems  # its folder is put on the path first
+import collision  # its folder is put on the path first
+from outside import problems
 
 #: From our tool frame to where the gripper of the data grasps, along the tool's z [m], and how close an object must be there [m].
 GRASP = {"panda": (0.0, 0.08), "ur5": (0.16, 0.10)}
@@ -58,3 +59,13 @@ def test_most_starts_and_goals_are_free_and_inside_the_limits(arm):
 
 def test_the_fingers_are_as_far_open_as_in_the_data():
     assert set(problems.robot("panda").locked.values()) == {0.065}
+
+
+@pytest.mark.slow
+def test_a_plan_among_points_ends_at_an_optimum():
+    """Steps to the required clearance fail along the bumps of a cloud: margins are widened as far as an optimum allows."""
+    robot = problems.robot("panda")
+    [problem] = [each for each in problems.load("panda") if (each.set, each.number) == ("bookshelf_thin", 3)]
+    plan = mp.plan(robot, problem.start, problem.goal, collision.as_cloud(problem.scene), seeding=mp.Seeding(time_limit=60.0))
+    assert plan.status is mp.Status.OPTIMAL
+    assert plan.result.certificate.active_clearance <= 1e-4
