@@ -83,8 +83,8 @@ class Result:
     finer: tuple[int, float] | None
 
 
-def follow(case: Case, interruptions: int, *, finer: bool) -> Result:
-    """Follow the path, and judge the motion."""
+def planned(case: Case, interruptions: int) -> tuple[mp.Plan, float]:
+    """The motion along the path, and its CPU time."""
     began = time.process_time()
     plan = mp.follow(
         case.robot,
@@ -96,7 +96,12 @@ def follow(case: Case, interruptions: int, *, finer: bool) -> Result:
         retreat=0.0,
         throw=False,
     )
-    seconds = time.process_time() - began
+    return plan, time.process_time() - began
+
+
+def follow(case: Case, interruptions: int, *, finer: bool) -> Result:
+    """Follow the path, and judge the motion."""
+    plan, seconds = planned(case, interruptions)
     parts, worst, kept, least = 0, (np.nan, np.nan, np.nan), False, np.nan
     if plan.status in (mp.Status.FOLLOWED, mp.Status.FOLLOWED_IN_PARTS):
         parts, least = len(plan.report.along), min(each.min_manipulability for each in plan.report.along)
@@ -321,16 +326,33 @@ def line(name: str, results: Sequence[Result]) -> str:
     return "| " + " | ".join(map(str, cells)) + " |"
 
 
+def print_times(cases: Sequence[Case]) -> None:
+    """CPU times of the paths that are followed in one and of the others, without a judge."""
+    for case in {case.name: case for case in cases}.values():
+        planned(case, 9)
+    times: dict[str, list[float]] = {}
+    for case in track(cases, "paths made here"):
+        plan, seconds = planned(case, 9)
+        for name in (f"{case.name}: {plan.status.name}", "all"):
+            times.setdefault(name, []).append(seconds)
+    for name, each in sorted(times.items()):
+        print(f"{name}: {len(each)}, {np.median(each):.1f} s, 95 % {np.percentile(each, 95):.1f} s, largest {max(each):.1f} s")
+
+
 def main(arguments: Sequence[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--paths", type=int, default=200, help="number of paths made here")
     parser.add_argument(
         "--finer", type=int, default=24, help="number of them that are searched on the finer grid; 0: none, nor those of others"
     )
+    parser.add_argument("--times", action="store_true", help="only print statuses and times of the paths made here")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     given = others()
-    follow(given[0], 0, finer=False)  # what is compiled at the first call does not count
+    planned(given[0], 0)  # what is compiled at the first call does not count
+    if options.times:
+        print_times(made(options.paths))
+        return
     outside = [
         follow(case, 2, finer=options.finer > 0 and case.robot.n < 8)  # two parameters would take 7,200² samples
         for case in track(given, "paths of others")

@@ -81,10 +81,13 @@ def ask_module(
         last = (run.stderr.strip().splitlines() or ["no message"])[-1]
         reason = f"{program} ended with code {run.returncode}: {last}"
         if run.returncode < 0:
-            reason = f"{program} ended by {signal.Signals(-run.returncode).name}"
-        if "processor" in request and run.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-            seconds = f"{request['processor']} s of the processor"
-            reason = f"it takes {program} more than {seconds}, as a file that repeats itself without end does"
+            name = signal.Signals(-run.returncode).name
+            reason = f"{program} ended by {name}"
+            if name == "SIGKILL":
+                reason += ", as the system does where memory is short"
+            if name == "SIGXCPU" and "processor" in request:
+                seconds = f"{request['processor']} s of the processor"
+                reason = f"it takes {program} more than {seconds}, as a file that repeats itself without end does"
         raise NoAnswerError(reason) from error
 
 

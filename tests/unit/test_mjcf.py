@@ -636,13 +636,17 @@ def test_a_large_height_field_is_refused(written):
         mp.Robot.from_mjcf(file, velocity=1.0)
 
 
-def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path):
+@pytest.mark.parametrize(
+    ("sent", "told"),
+    [("SIGSEGV", "MuJoCo ended by SIGSEGV"), ("SIGKILL", "memory is short"), ("SIGXCPU", r"more than \d+ s of the processor")],
+)
+def test_a_file_on_which_mujoco_ends(arm, monkeypatch, tmp_path, sent, told):
     """Whatever ends MuJoCo ends its own process only."""
     fake = tmp_path / "fake"
     (fake / "mujoco").mkdir(parents=True)
-    (fake / "mujoco" / "__init__.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)")
+    (fake / "mujoco" / "__init__.py").write_text(f"import os, signal\nos.kill(os.getpid(), signal.{sent})")
     monkeypatch.syspath_prepend(fake)
-    with pytest.raises(mp.errors.FileFormatError, match="MuJoCo ended by SIGSEGV"):
+    with pytest.raises(mp.errors.FileFormatError, match=told):
         mp.Robot.from_mjcf(arm(), velocity=1.0)
 
 
