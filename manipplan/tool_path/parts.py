@@ -180,10 +180,9 @@ def raise_minimum(
         except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
             break
         begun, found = _search_from(planner, epsilon, part(notify, 0.0, 0.0), start)
-        if best[0].is_calm(best[1]) and not (found.connected and begun.is_calm(found)):
+        if found.minimum <= least or (best[0].is_calm(best[1]) and not begun.is_calm(found)):
             break
-        if found.minimum > least:
-            raised, best = planner, (begun, found)
+        raised, best = planner, (begun, found)
     return raised, best
 
 
