@@ -120,9 +120,9 @@ class NotConnected(Failure):
 
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
 HALVED, HALVED_STEP = 3, 6
-#: Relative gain in the minimum manipulability for which positions are added, how often at most, and largest step of a
-#: continuous joint that is considered there [rad].
-GAIN, RAISED, LONGEST = 0.01, 8, 3.0
+#: Relative gain in the minimum manipulability for which positions are added, and largest step of a continuous joint that is
+#: considered there [rad].
+GAIN, LONGEST = 0.01, 3.0
 #: Maximum number of candidates up to which positions are added.
 MOST = 20_000_000
 #: What `ToolPathPlanner.search` returns.
@@ -162,28 +162,26 @@ def raise_minimum(
 
     A search in which steps may be longer tells where a better motion needs that. Positions are put there, and beside, where
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
-    a minimum larger by GAIN, even with the longest steps that positions can be put between.
+    a minimum larger by GAIN, even with the longest steps that positions can be put between, or positions did not raise it.
     """
-    raised, begun, found = planner, *_search_from(planner, epsilon, notify, start)
-    best = begun, found
-    if planner.demand is not None or planner.has_several_parameters:
-        return raised, best
-    for _ in range(RAISED):
-        needed, least = np.ones(0, dtype=np.int64), best[1].minimum + GAIN * abs(best[1].minimum)
-        if found.connected:
-            needed = _pieces_needed(begun, epsilon, least, part(notify, 0.0, 0.0))
-        if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST or planner.deadline.passed:
+    begun, found = _search_from(planner, epsilon, notify, start)
+    if planner.demand is not None or planner.has_several_parameters or not found.connected:
+        return planner, (begun, found)
+    while not planner.deadline.passed:
+        least = found.minimum + GAIN * abs(found.minimum)
+        needed = _pieces_needed(begun, epsilon, least, part(notify, 0.0, 0.0))
+        if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST:
             break
         notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
         try:
-            planner = planner.divided(needed, silent)
+            divided = planner.divided(needed, silent)
         except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
             break
-        begun, found = _search_from(planner, epsilon, part(notify, 0.0, 0.0), start)
-        if found.minimum <= least or (best[0].is_calm(best[1]) and not begun.is_calm(found)):
+        raised, higher = _search_from(divided, epsilon, part(notify, 0.0, 0.0), start)
+        if higher.minimum <= least or (begun.is_calm(found) and not raised.is_calm(higher)):
             break
-        raised, best = planner, (begun, found)
-    return raised, best
+        planner, begun, found = divided, raised, higher
+    return planner, (begun, found)
 
 
 def _search_from(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, start: Array | None) -> Searched:
