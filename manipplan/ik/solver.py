@@ -383,7 +383,7 @@ class Solver:
         found = self.solve_once(poses, owners[order], samples[order], deadline)
         rows, q = self.with_turns(found.q)
         source, residual = found.source[rows], found.residual[rows]
-        turning = self._turning
+        turning = self.turning
         limits = self.robot.limits  # where a turn may end just before the pose
         stopped = ((q[:, turning] == limits.lower[turning]) | (q[:, turning] == limits.upper[turning])).any(axis=1)
         if stopped.any():
@@ -404,7 +404,7 @@ class Solver:
     def with_turns(self, q: Array) -> tuple[NDArray[np.int64], Array]:
         """Solutions of `solve_once` (k, n) at each full turn inside the limits, (l, n), and the row (l,) that each is of."""
         rows = np.arange(len(q))
-        for joint in self._turning:
+        for joint in self.turning:
             lower, upper = self.robot.limits.lower[joint], self.robot.limits.upper[joint]
             first = q[:, joint] - np.where(q[:, joint] - 2 * np.pi >= lower - NEARLY, 2 * np.pi, 0.0)
             counts = ((upper - first + NEARLY) // (2 * np.pi)).astype(np.int64) + 1
@@ -418,10 +418,10 @@ class Solver:
     def most(self) -> int:
         """Maximum number of solutions of one sample; a guess for arms without closed form."""
         ranges = self.robot.limits.upper - self.robot.limits.lower
-        return MOST * math.prod(int((ranges[k] + AT_LIMIT) // (2 * np.pi)) + 1 for k in self._turning)
+        return MOST * math.prod(int((ranges[k] + AT_LIMIT) // (2 * np.pi)) + 1 for k in self.turning)
 
     @cached_property
-    def _turning(self) -> list[int]:
+    def turning(self) -> list[int]:
         """The joints that are listed at more than one full turn; none where Newton steps find the solutions."""
         ranges = self.robot.limits.upper - self.robot.limits.lower
         once = spans_turn(self.robot)

@@ -15,7 +15,7 @@ from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.deviation import angles_between
 from manipplan.paths.tolerance import distinct
 from manipplan.robots.limits import JointLimits
-from manipplan.support.checks import Array, ArrayLike, finite_array, instance, whole_number
+from manipplan.support.checks import COINCIDENT, Array, ArrayLike, finite_array, instance, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 
@@ -124,6 +124,8 @@ class Layers:
         sampling: how they were sampled, or None.
         joint_pace: (n,) largest step of each joint per metre of the tool's way between neighbouring layers [rad/m or 1], for
             layers with s and sampling; None: any.
+        turn_middles: (n,) the middle of the limits of each joint of which candidates are listed at all full turns inside these,
+            nan for others; None: of no joint. A layer with a single candidate need not be listed so.
     """
 
     q: tuple[Array, ...]
@@ -135,6 +137,7 @@ class Layers:
     considered: int = 0
     sampling: "PathSampling | None" = None
     joint_pace: Array | None = None
+    turn_middles: Array | None = None
 
     @classmethod
     def from_arrays(
@@ -236,6 +239,27 @@ class Layers:
         inside = [each if each.any() else np.ones_like(each) for each in inside]
         q = tuple(np.ascontiguousarray(q[each]) for q, each in zip(self.q, inside, strict=True))
         return replace(self, q=q, m=tuple(m[each] for m, each in zip(self.m, inside, strict=True)))
+
+    @cached_property
+    def in_one_turn(self) -> "Layers | None":
+        """The same with candidates at one of their full turns, of joints that turn without end; None without `turn_middles`.
+
+        It has a path for each of these layers, but not the other way round: joints may turn beyond their limits on it.
+        """
+        if self.turn_middles is None:
+            return None
+        turning = ~np.isnan(self.turn_middles)
+        sets, values = list[Array](), list[Array]()
+        for q, m in zip(self.q, self.m, strict=True):
+            away = q[:, turning] - self.turn_middles[turning]
+            inside = (np.abs(away) <= np.pi + COINCIDENT).all(axis=1)
+            once = np.ascontiguousarray(q[inside])
+            if not len(once):
+                inside, once = np.ones_like(inside), q.copy()
+                once[:, turning] -= 2 * np.pi * np.round(away / (2 * np.pi))
+            sets.append(once)
+            values.append(m[inside])
+        return replace(self, q=tuple(sets), m=tuple(values), continuous=self.continuous | turning, turn_middles=None)
 
     def part(self, first: int, last: int) -> Self:
         """The open layers from one position to another one of these, both included."""

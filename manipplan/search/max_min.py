@@ -19,6 +19,7 @@ from manipplan.kinematics.batch import all_cores
 from manipplan.search.layers import Layers
 from manipplan.search.search import CandidatePath, ThresholdSearch
 from manipplan.search.sweep import (
+    TAU,
     Lexicographic,
     Shortest,
     Subset,
@@ -26,13 +27,15 @@ from manipplan.search.sweep import (
     Widest,
     check_epsilon,
     exclusive,
+    full_turns,
     path_length,
+    steps_between,
     without_jumps,
 )
-from manipplan.support.checks import MOST_THREADS, Array, ArrayLike, flag, instance, one_of, whole_number
+from manipplan.support.checks import COINCIDENT, MOST_THREADS, Array, ArrayLike, flag, instance, one_of, whole_number
 from manipplan.support.display import one_line
 from manipplan.support.errors import PlanningError
-from manipplan.support.progress import Progress, as_callback, silent
+from manipplan.support.progress import Progress, as_callback, part, silent
 from manipplan.support.status import Status
 
 
@@ -316,7 +319,16 @@ def path_above(layers: Layers, reach: Array, least: float, progress: Progress) -
 def _results(
     layers: Layers, epsilon: Array, strict: bool, prefer: Prefer, explain: bool, notify: Progress, threads: int
 ) -> Iterator[SearchResult]:
-    """Yields results during the search."""
+    """Yields results during the search, or the last one of a far smaller search in one full turn, if it is the same."""
+    fewer = layers.in_one_turn
+    if fewer is not None and (epsilon[fewer.continuous] < np.pi).all():
+        some = threads if fewer.count >= THREADED else 1
+        *_, found = _results(fewer, epsilon, strict, prefer, False, part(notify, 0.0, 0.1), some)
+        at_turns = _at_full_turns(layers, found)
+        if at_turns is not None:
+            yield at_turns
+            return
+        notify = part(notify, 0.1, 1.0)
     reach = exclusive(epsilon, strict=strict)
     # samples and rounds grow fourfold up to all candidates; a preference other than "first" takes one more pass
     with ThreadPool(threads) as pool:
@@ -336,6 +348,25 @@ def _results(
         final = _result(search, path, Status.PROVEN_OPTIMAL, epsilon, strict, certified)
         search.notify(1.0, "done")
         yield final
+
+
+def _at_full_turns(layers: Layers, found: SearchResult) -> SearchResult | None:
+    """A path found through `in_one_turn` of the layers at full turns inside the limits, the middle ones; None without any."""
+    assert layers.turn_middles is not None
+    turning = ~np.isnan(layers.turn_middles)
+    if not found.connected or (layers.closed and full_turns(found.q, turning).any()):
+        return None
+    middle = (found.q.min(axis=0) + found.q.max(axis=0)) / 2
+    away = layers.q[0][0] - found.q[0] if len(layers.q[0]) == 1 else layers.turn_middles - middle
+    q, indices = found.q + np.where(turning, TAU * np.round(away / TAU), 0.0), np.empty_like(found.indices)
+    for k, (candidates, m) in enumerate(zip(layers.q, layers.m, strict=True)):
+        alike = np.flatnonzero(m == found.manipulability[k])
+        steps = steps_between(candidates[alike], q[k], layers.continuous)
+        same = alike[(np.abs(steps) < COINCIDENT).all(axis=1)]
+        if not len(same):
+            return None
+        indices[k], q[k] = same[0], candidates[same[0]]
+    return replace(found, q=without_jumps(q, layers.continuous), indices=indices)
 
 
 def _rounds(search: ThresholdSearch, reach: Array) -> Iterator[tuple[CandidatePath | None, float, bool]]:

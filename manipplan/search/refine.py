@@ -208,7 +208,7 @@ class _Refiner:
             beside = np.abs(step).max(axis=1) < (10 * spread if k or not self.hold_start else 0.0)
             sets.append(np.vstack([q[k], q[k] + step[beside]]))
             values.append(np.append(self.kinematics.manipulability(q[k]), m[beside]))
-        finer = replace(self.layers, q=tuple(sets), m=tuple(values))
+        finer = replace(self.layers, q=tuple(sets), m=tuple(values), turn_middles=None)
         found = max_min_search(finer, self.found.epsilon, strict=self.found.strict, throw=False)
         return self._better(q, found.q) if found.connected else q
 

@@ -71,6 +71,8 @@ JOB, BLOCK = 8192, 8192
 REPORT = 0.05
 #: How often the distance between two samples is halved where their solutions are apart.
 HALVINGS = 7
+#: Range of a joint from which on one of its full turns is searched first [rad].
+WIDE = 3 * np.pi
 #: Difference from a full turn that counts as none [rad].
 EVEN = 1e-6
 #: Default number of samples per parameter, for one, two, three, ... parameters. For three and more it is smaller, but at least
@@ -217,7 +219,18 @@ def sample_layers(
         poses=poses,
         considered=sum(map(len, sets)),
         sampling=sampling,
+        turn_middles=_turn_middles(sampler.solver),
     )
+
+
+def _turn_middles(solver: "Solver") -> Array | None:
+    """The middle of the limits of joints whose configurations are listed at several full turns (n,), nan for others."""
+    limits = solver.robot.limits
+    ranges = limits.upper - limits.lower
+    several = [j for j in solver.turning if WIDE <= ranges[j] < np.inf]
+    middles = np.full(solver.robot.n, np.nan)
+    middles[several] = (limits.lower + limits.upper)[several] / 2
+    return middles if several else None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -412,11 +425,11 @@ class CandidateSampler:
     def _candidates(self, found: Array, of: NDArray[np.int64], count: int, deadline: Deadline) -> "list[PositionSample]":
         """Those of configurations found (k, n) that are free, at every full turn, for each of `count` positions."""
         free = np.concatenate([self.free(found[each]) for each in _slices(len(found), BLOCK, deadline)])
-        rows, q = self.solver.with_turns(found[free])  # full turns change no collisions
-        order = np.argsort(of[free][rows], kind="stable")
-        q, m = q[order], self.kinematics.manipulability(q)[order]
         reached = np.bincount(of, minlength=count)
-        ends = np.cumsum(np.bincount(of[free][rows], minlength=count))[:-1]
+        order = np.flatnonzero(free)[np.argsort(of[free], kind="stable")]
+        rows, q = self.solver.with_turns(found[order])  # full turns change neither collisions nor manipulability
+        m = self.kinematics.manipulability(found[order])[rows]
+        ends = np.cumsum(np.bincount(of[order][rows], minlength=count))[:-1]
         every = zip(np.split(q, ends), np.split(m, ends), reached.tolist(), strict=True)
         return [PositionSample(q=np.ascontiguousarray(q), m=m, reached=reached) for q, m, reached in every]
 

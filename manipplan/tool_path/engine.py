@@ -192,7 +192,8 @@ class ToolPathPlanner:
             more = steps.get(k)
             configurations.append(candidates if more is None else np.vstack([candidates, more]))
             m.append(values if more is None else np.append(values, kinematics.manipulability(more)))
-        return replace(self, layers=replace(self.layers, q=tuple(configurations), m=tuple(m), poses=poses))
+        layers = replace(self.layers, q=tuple(configurations), m=tuple(m), poses=poses, turn_middles=None)
+        return replace(self, layers=layers)
 
     def _onwards(self, q: Array) -> Array:
         """Configurations (j, n) at the positions after the first, the first by steps from q, each other from the one before."""

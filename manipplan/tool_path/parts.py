@@ -137,7 +137,7 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
     """
     while True:
         begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
-        gaps = find_gaps(begun.layers, epsilon, progress=part(notify, 0.0, 0.0))
+        gaps = find_gaps(begun.layers.in_one_turn or begun.layers, epsilon, progress=part(notify, 0.0, 0.0))
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
             spanned = np.arange(first, last) % (len(planner.layers.q) - (not planner.layers.closed))
@@ -194,7 +194,7 @@ def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float, n
 
     All 1 where none is possible with the longest steps.
     """
-    layers, most = planner.layers, planner.pieces(HALVED)
+    layers, most = planner.layers.in_one_turn or planner.layers, planner.pieces(HALVED)
     steps = check_epsilon(epsilon, layers.continuous)
     for faster in 2 ** np.arange(1, HALVED + 1):
         reach = steps * np.minimum(faster, most)[:, None]
