@@ -25,8 +25,8 @@ NEAR, AROUND = 0.05, 1.0
 CONE = 0.3
 #: Steps between two samples.
 EVERY = 25
-#: Share of the command by which a sample moves backward, and the longest time [s] before a sample from which velocities are sought
-#: that the joints could have reached.
+#: Share of the command by which a sample moves backward, and the longest time [s] before a sample in which joints could have
+#: reached other velocities.
 BACKWARD, REACTION = -0.02, 0.1
 #: A stall: a window [s] in which less than a share is followed, although a pose ahead [m] is reachable with no joint moving
 #: farther than this [rad].
