@@ -13,8 +13,8 @@ that begin at or near random singular postures of six arms, for `mp.Servo` alone
 - stalled: time in windows of 0.25 s with less than 5 % followed, although a pose 5 mm ahead is reachable
 - backward: share of samples that move backward by more than 2 % of the command
 - avoidable: stalls and samples backward that are not for want of time. The judge seeks the best of all velocities that joints
-  could have reached in 0.1 s, with at most 0.3 of motion across in each direction: it follows 5 % in the mean of a stall's
-  window, or does not move backward
+  could have reached in 0.1 s, or since the command came, with at most 0.3 of motion across in each direction: it follows 5 % in
+  the mean of a stall's window, or does not move backward. A command has come when all since are within 17° of it
 - chatter: changes of sign of joint accelerations above 2 % of their limits, per second and joint
 - over limits: of the raw command; -0.6 is 40 % of a limit
 - exceptions, step: number of calls that raised, after which the command is zero, and median time of a call from Python

@@ -25,8 +25,8 @@ NEAR, AROUND = 0.05, 1.0
 CONE = 0.3
 #: Steps between two samples.
 EVERY = 25
-#: Share of the command by which a sample moves backward, and time [s] before a sample from which velocities are sought that the
-#: joints could have reached.
+#: Share of the command by which a sample moves backward, and the longest time [s] before a sample in which joints could have
+#: reached other velocities.
 BACKWARD, REACTION = -0.02, 0.1
 #: A stall: a window [s] in which less than a share is followed, although a pose ahead [m] is reachable with no joint moving
 #: farther than this [rad].
@@ -234,9 +234,17 @@ def _following(arm: Arm, run: Run) -> dict[str, float]:
 
 
 def _in_time(arm: Arm, run: Run, k: int, jacobian: Array, command: Array) -> float | None:
-    """Largest share of a command at step k by velocities that the joints could have reached in REACTION; None as below."""
+    """Largest share of a command at step k by velocities that the joints could have reached in time; None as below.
+
+    In REACTION, or since the command came: since all that followed were within CONE of the one at step k.
+    """
+    first = max(k - round(REACTION / DT), 0) + 1
+    commands = (run.twist[first : k + 1] * SCALE)[:, arm.rows]
+    along = commands @ command / np.linalg.norm(command)
+    turned = np.flatnonzero(np.linalg.norm(commands, axis=1) > np.hypot(1, CONE) * along)
+    first += int(turned[-1]) + 1 if len(turned) else 0
     low, high = arm.stopping(run.q[k])
-    before, change = run.qd[max(k - round(REACTION / DT), 0)], arm.acceleration * REACTION
+    before, change = run.qd[first], arm.acceleration * DT * (k + 1 - first)
     return _possible(jacobian, command, np.clip(before - change, low, high), np.clip(before + change, low, high))
 
 

@@ -570,7 +570,10 @@ static void singular_rates(const Servo *servo, Work *w) {
         double damped = b * sd / (sd * sd + lambda * lambda + 1e-12), now = 0;
         /* both ways are the same at σ = 0: the arm keeps the one in which it moves */
         for (long i = 0; i < w->n; i++) now += v[i] * servo->qd[w->joint[i]];
-        if (sd > s && now * damped < 0 && s * fabs(damped) < BACKWARD * (w->size + STILL)) damped = -damped;
+        if (sd > s && now * damped < 0) {
+            double back = least(1, BACKWARD * (w->size + STILL) / (s * fabs(damped) + 1e-12));
+            damped *= 1 - (1 + back) * clip(2 - 2 * s / sd, 0, 1);
+        }
         /* no faster than the arm can stop where b vanishes */
         double angle = turned_after(servo, w, v, s, b);
         double fade = clip(bend / BENT, 0, 1), cap = least(fastest, stopping(angle, force, T)), free = cap;
@@ -691,10 +694,12 @@ static void escape(const Servo *servo, Work *w) {
         for (long l = 0; l < w->m; l++) u[l] += part[a] * w->b[first + a] / gone * w->U[first + a][l];
     second_order(servo, w, u, M);
     restricted(w, M, Z, d, K);
-    eigen(d, K, value, vector);
+    memcpy(copy, K, sizeof copy);
+    eigen(d, copy, value, vector);
     for (long a = 0; a < d; a++) sharpest = most(sharpest, fabs(value[a]));
     if (sharpest >= BENT) return;
-    /* R = Zᵀ M (I - N Nᵀ): how fast motions in Z turn the direction; the top left singular vector of R */
+    /* R = Zᵀ M (I - N Nᵀ): how fast motions in Z turn the direction. With r = |R|, the unit vector e with the largest
+       eᵀ (R Rᵀ + r K) e: of those that turn it fast one that moves the tool forward */
     double R[MOST][MOST], RR[MOST][MOST];
     for (long a = 0; a < d; a++) {
         for (long j = 0; j < n; j++) {
@@ -707,9 +712,14 @@ static void escape(const Servo *servo, Work *w) {
         }
     }
     for (long a = 0; a < d; a++)
-        for (long c = 0; c < d; c++) RR[a][c] = dot(n, R[a], R[c]);
-    eigen(d, RR, value, vector);
-    double spin = sqrt(most(value[0], 0));
+        for (long c = 0; c < d; c++) copy[a][c] = RR[a][c] = dot(n, R[a], R[c]);
+    eigen(d, copy, value, vector);
+    double largest = sqrt(most(value[0], 0)), squared = 0;
+    for (long a = 0; a < d; a++)
+        for (long c = 0; c < d; c++) copy[a][c] = RR[a][c] + largest * K[a][c];
+    eigen(d, copy, value, vector);
+    for (long a = 0; a < d; a++) squared += vector[0][a] * dot(d, RR[a], vector[0]);
+    double spin = sqrt(most(squared, 0));
     if (spin <= SPUN) return;
     double toward = 0, back = 0;
     for (long i = 0; i < n; i++) {
@@ -717,7 +727,7 @@ static void escape(const Servo *servo, Work *w) {
         for (long a = 0; a < d; a++) way[i] += Z[a][i] * vector[0][a];
         toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
     }
-    double turn = toward >= 0 ? 1 : -1, fastest = 0.6 * along(w, way, servo->velocity);
+    double turn = toward >= 0 ? 1 : -1, fastest = 0.75 * along(w, way, servo->velocity);
     for (long a = 0; a < w->r - first; a++) back -= turn * part[a] * vector[0][a] * w->s[first + a] * w->b[first + a];
     if (back > 0) fastest = least(fastest, BACKWARD * w->size * w->size / back);
     double share = faint * (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);

@@ -386,6 +386,32 @@ def test_the_law_is_continuous_where_singular_values_become_small(name, sigma, s
     assert np.allclose(*rates, rtol=0, atol=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("name", "least", "q", "twist"),
+    [
+        (
+            "xarm7",
+            0.4,
+            [-2.220372423, -9.666e-06, -1.578306304, -0.140249197, -0.026791531, 1.419728252, 2.221445081],
+            [-0.0061, 0.00482, -0.09434, -0.06336, -0.08679, -0.00021],
+        ),
+        (
+            "panda",
+            0.03,
+            [0.356407124, -1.1974e-05, 1.710371846, -0.313270023, -0.723790768, 1.68194761, -0.787433494],
+            [0.00595, -0.00773, -0.0808, 0.18823, -0.04144, 0.01926],
+        ),
+    ],
+)
+def test_a_spin_out_of_a_singular_posture_moves_the_tool_forward_and_ends_soon(servos, name, least, q, twist):
+    servo, rates, followed = servos(name), np.zeros(7), []
+    for k in range(round(0.35 / DT)):
+        rates = servo.step(q, rates, np.array(twist) * min(k * DT / 0.1, 1.0), "world")
+        q = q + DT * rates
+        followed.append(servo.gauge.followed)
+    assert min(followed) > -0.005 and np.mean(followed[round(0.25 / DT) :]) > least
+
+
 def reversals(robot, rates):
     """Changes of sign of accelerations above 2 % of the limit, per joint, of the rates (N, n) of all steps."""
     changes = np.diff(rates, axis=0) / DT
@@ -407,6 +433,12 @@ def reversals(robot, rates):
             [1.999998, 1e-06, -3.141578, -1.872763, 0.058275],
             [0.0, 0.0, 0.0, 0.24507, -0.3716],
             [-0.00517, -0.03071, -0.03593, 0.0, 0.0, 0.0],
+        ),
+        (  # the arm moves through a pole with the other way as near
+            "baxter_left",
+            [0.607029, -1.547939, 3.05418, 0.152984, 1.295723, 0.151709, -0.032461],
+            [0.69923, 0.00546, 0.0, -0.03481, -1.17605, -0.10368, 0.53875],
+            [0.02299, -0.01456, 0.09478, 0.0148, -0.02972, 0.04432],
         ),
     ],
 )
