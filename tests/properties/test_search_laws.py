@@ -1,6 +1,7 @@
 """The exact search against brute force on a thousand random layered graphs, and laws that hold for all of them."""
 
-from itertools import combinations, pairwise
+from dataclasses import replace
+from itertools import combinations, pairwise, product
 
 import layered
 import numpy as np
@@ -342,3 +343,59 @@ def test_a_path_above_a_minimum_is_the_best_one_or_none(closed):
         assert (np.abs(layered.path_steps(layers, indices)) < epsilon).all()
         assert path_above(layers, reach, np.nextafter(best, np.inf), silent) is None
     assert 5 < connected < 60
+
+
+# ---- full turns
+
+
+def at_all_turns(layers, turning, lower, upper):
+    """Layers with each candidate at all full turns of some joints inside limits (n,), and the same that say so."""
+    turns = np.array(list(product(*[range(-4, 5) if each else [0] for each in turning])))
+    sets, values = [], []
+    for q, m in zip(layers.q, layers.m, strict=True):
+        every = (q + 2 * np.pi * turns[:, None]).reshape(-1, layers.n)
+        inside = (((every >= lower) & (every <= upper)) | ~turning).all(axis=1)
+        sets.append(every[inside])
+        values.append(np.tile(m, len(turns))[inside])
+    several = Layers.from_arrays(sets, values, continuous=layers.continuous & ~turning, closed=layers.closed)
+    return several, replace(several, turn_middles=np.where(turning, (lower + upper) / 2, np.nan) if turning.any() else None)
+
+
+@pytest.mark.parametrize("closed", [False, True])
+@examples(100)
+@given(seed=st.integers(0, 2**31))
+def test_a_search_in_one_turn_finds_what_one_in_all_finds(closed, seed):
+    rng = np.random.default_rng(seed)
+    layers, epsilon = layered.random_layers(rng, closed=closed, most=6, positions=6)
+    epsilon = epsilon * (1 + 1e-4)  # no step is just that
+    turning = rng.random(layers.n) < 0.7
+    middle, room = rng.uniform(-1, 1, layers.n), rng.uniform(np.pi + 1e-3, 3 * np.pi, layers.n)
+    several, told = at_all_turns(layers, turning, middle - room, middle + room)
+    prefer = rng.choice(["first", "shortest", "lexicographic"])
+    wanted, found = (max_min_search(each, epsilon, prefer=prefer, throw=False, explain=False) for each in (several, told))
+    assert (found.connected, found.minimum, found.breaks_at) == (wanted.connected, wanted.minimum, wanted.breaks_at)
+    if found.connected:
+        check_path(several, epsilon, True, found)
+        if prefer != "first":
+            np.testing.assert_allclose(found.length, wanted.length, rtol=1e-12, atol=1e-12)
+            np.testing.assert_array_equal(np.sort(found.manipulability)[0], np.sort(wanted.manipulability)[0])
+
+
+@pytest.mark.parametrize(("step", "connected"), [(0.1, True), (0.3, True), (0.5, False)])
+def test_a_joint_turns_as_far_as_its_limits_allow(step, connected):
+    q = (step * np.arange(30)[:, None, None] + np.pi) % (2 * np.pi) - np.pi
+    layers = Layers.from_arrays(list(q), [[1.0]] * 30)
+    several, told = at_all_turns(layers, np.array([True]), np.array([-2 * np.pi]), np.array([2 * np.pi]))
+    result = max_min_search(told, 0.6, throw=False)
+    assert result.connected == max_min_search(several, 0.6, throw=False).connected == connected
+    assert not connected or (np.abs(result.q) <= 2 * np.pi).all()
+    assert max_min_search(told.in_one_turn, 0.6).connected
+
+
+def test_a_given_first_configuration_is_kept_at_its_turn():
+    q = np.linspace(-2, 2, 30)[:, None, None] + [[0.0]]
+    several, _ = at_all_turns(Layers.from_arrays(list(q), [[1.0]] * 30), np.array([True]), np.array([-9.0]), np.array([9.0]))
+    first = np.array([[-2 + 2 * np.pi]])
+    some = replace(several, q=(first, *several.q[1:]), m=(np.ones(1), *several.m[1:]), turn_middles=np.zeros(1))
+    found = max_min_search(some, 0.2)
+    np.testing.assert_allclose(found.q[:, 0], np.linspace(-2, 2, 30) + 2 * np.pi, atol=1e-12)
