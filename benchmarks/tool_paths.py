@@ -16,7 +16,7 @@ import os
 import platform
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before NumPy is imported
@@ -345,13 +345,17 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument(
         "--finer", type=int, default=24, help="number of them that are searched on the finer grid; 0: none, nor those of others"
     )
-    parser.add_argument("--times", action="store_true", help="only print statuses and times of the paths made here")
+    parser.add_argument(
+        "--times", action="store_true", help="only print times of the paths made here, and of the UR5's within ±360°"
+    )
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
     given = others()
     planned(given[0], 0)  # what is compiled at the first call does not count
     if options.times:
-        print_times(made(options.paths))
+        cases, ur5 = made(options.paths), mp.load_robot("ur5")
+        print_times(cases)
+        print_times([replace(each, name="made, ur5, ±360°", robot=ur5) for each in cases if each.name == "made, ur5"])
         return
     outside = [
         follow(case, 2, finer=options.finer > 0 and case.robot.n < 8)  # two parameters would take 7,200² samples

@@ -229,7 +229,7 @@ def _turn_middles(solver: "Solver") -> Array | None:
     ranges = limits.upper - limits.lower
     several = [j for j in solver.turning if WIDE <= ranges[j] < np.inf]
     middles = np.full(solver.robot.n, np.nan)
-    middles[several] = (limits.lower + limits.upper)[several] / 2
+    middles[several] = (limits.lower[several] + limits.upper[several]) / 2
     return middles if several else None
 
 
