@@ -248,7 +248,8 @@ def _labelled(layers: Layers, labels: Sequence[NDArray[np.int64]], epsilon: Arra
     """The layers with the label of each candidate (k_i,) as one more joint, and steps (n + 1,) that keep it."""
     pace = None if layers.joint_pace is None else np.append(layers.joint_pace, np.inf)
     q = tuple(np.column_stack([q, each]).astype(np.float64) for q, each in zip(layers.q, labels, strict=True))
-    made = replace(layers, q=q, continuous=np.append(layers.continuous, False), joint_pace=pace)
+    middles = None if layers.turn_middles is None else np.append(layers.turn_middles, np.nan)
+    made = replace(layers, q=q, continuous=np.append(layers.continuous, False), joint_pace=pace, turn_middles=middles)
     return made, np.append(check_epsilon(epsilon, layers.continuous), SAME)
 
 

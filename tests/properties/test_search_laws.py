@@ -399,3 +399,15 @@ def test_a_given_first_configuration_is_kept_at_its_turn():
     some = replace(several, q=(first, *several.q[1:]), m=(np.ones(1), *several.m[1:]), turn_middles=np.zeros(1))
     found = max_min_search(some, 0.2)
     np.testing.assert_allclose(found.q[:, 0], np.linspace(-2, 2, 30) + 2 * np.pi, atol=1e-12)
+
+
+def test_candidates_of_one_label_at_several_turns():
+    """The best candidates at the middle have another label than those at both ends."""
+    q = np.repeat(np.linspace(-2, 2, 30)[:, None, None], 2, axis=1)
+    q[:, 1] += 0.01
+    layers = Layers.from_arrays(list(q), [[1.0, 2.0]] * 30)
+    _, told = at_all_turns(layers, np.array([True]), np.array([-9.0]), np.array([9.0]))
+    labels = [(each == 2.0).astype(np.int64) for each in told.m]
+    labels[0][:] = 0
+    assert search_within(told, labels, 0.2).minimum == 1.0
+    assert max_min_search(told, 0.2).minimum == 2.0
