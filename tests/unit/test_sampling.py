@@ -4,6 +4,7 @@ import itertools
 import multiprocessing
 import time
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 import pinocchio as pin
@@ -433,3 +434,19 @@ def test_a_spacing_that_is_no_distance_is_refused():
     for value in (0.0, -1.0, np.nan, [0.1] * 3, "fine"):
         with pytest.raises(mp.errors.InvalidInputError, match="^spacing: got"):
             mp.sample_layers(robot, path, 3, spacing=value)
+
+
+def test_candidates_of_a_ur5_are_searched_in_one_turn():
+    """Five of its joints turn by ±360°, its elbow by ±180°."""
+    ur5 = mp.load_robot("ur5")
+    begin = ur5.kinematics(mp.Task.pose()).pose(np.array([0.3, -1.2, 1.4, -0.5, 1.0, 0.2]))
+    end = begin.copy()
+    end[:3, 3] += [0.0, 0.1, -0.1]
+    path = mp.CartesianPath.through([begin, end])
+    layers = mp.sample_layers(ur5, path, 12, task=mp.Task.pointing([0, 0, 1]), samples=24)
+    assert layers.count == 32 * layers.in_one_turn.count
+    found, wanted = (mp.max_min_search(each, 0.3) for each in (layers, replace(layers, turn_middles=None)))
+    assert found.minimum == wanted.minimum and found.length == pytest.approx(wanted.length)
+    assert all((layers.q[k][i] == q).all() for k, (i, q) in enumerate(zip(found.indices, found.q, strict=True)))
+    assert (np.abs(found.q) <= np.deg2rad(181)).all(), "the middle turns"
+    assert mp.sample_layers(mp.load_robot("panda"), path, 2, samples=24, collisions=False).turn_middles is None
