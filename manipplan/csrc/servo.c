@@ -570,10 +570,7 @@ static void singular_rates(const Servo *servo, Work *w) {
         double damped = b * sd / (sd * sd + lambda * lambda + 1e-12), now = 0;
         /* both ways are the same at σ = 0: the arm keeps the one in which it moves */
         for (long i = 0; i < w->n; i++) now += v[i] * servo->qd[w->joint[i]];
-        if (sd > s && now * damped < 0) {
-            double back = least(1, BACKWARD * (w->size + STILL) / (s * fabs(damped) + 1e-12));
-            damped *= 1 - (1 + back) * clip(2 - 2 * s / sd, 0, 1);
-        }
+        if (sd > s && now * damped < 0 && s * fabs(damped) < BACKWARD * (w->size + STILL)) damped = -damped;
         /* no faster than the arm can stop where b vanishes */
         double angle = turned_after(servo, w, v, s, b);
         double fade = clip(bend / BENT, 0, 1), cap = least(fastest, stopping(angle, force, T)), free = cap;

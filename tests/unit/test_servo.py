@@ -434,12 +434,6 @@ def reversals(robot, rates):
             [0.0, 0.0, 0.0, 0.24507, -0.3716],
             [-0.00517, -0.03071, -0.03593, 0.0, 0.0, 0.0],
         ),
-        (  # the arm moves through a pole with the other way as near
-            "baxter_left",
-            [0.607029, -1.547939, 3.05418, 0.152984, 1.295723, 0.151709, -0.032461],
-            [0.69923, 0.00546, 0.0, -0.03481, -1.17605, -0.10368, 0.53875],
-            [0.02299, -0.01456, 0.09478, 0.0148, -0.02972, 0.04432],
-        ),
     ],
 )
 def test_it_does_not_dither_where_joints_stand_at_their_limits(servos, name, q, qd, twist):
