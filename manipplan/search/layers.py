@@ -244,7 +244,7 @@ class Layers:
     def in_one_turn(self) -> "Layers | None":
         """The same with candidates at one of their full turns, of joints that turn without end; None without `turn_middles`.
 
-        It has a path for each of these layers, but not the other way round: joints may turn beyond their limits on it.
+        Each path through these layers is one through it, but not the other way round: joints may turn beyond their limits there.
         """
         if self.turn_middles is None:
             return None
