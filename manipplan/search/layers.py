@@ -244,7 +244,8 @@ class Layers:
     def in_one_turn(self) -> "Layers | None":
         """The same with candidates at one of their full turns, of joints that turn without end; None without `turn_middles`.
 
-        Each path through these layers is one through it, but not the other way round: joints may turn beyond their limits there.
+        Each path through these layers is one through it, but not the other way round: there joints may turn beyond their
+        limits.
         """
         if self.turn_middles is None:
             return None
