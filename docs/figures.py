@@ -460,7 +460,8 @@ def servo() -> list[str]:
     laws = ("mp.Servo", "placo 0.10, as it comes", "J-PARSE, γ = 0.1")
     ours, placo, jparse = ([shown(2, "servo", law, near, place) for place in (0, 1)] for law in laws)
     found = r"(\d+) stall, avoidably (\d+), and (\d+) have a sample that moves backward, avoidably (\d+)"
-    return [*ours, *text("servo_random", r"Of (\d+) streams of 20 s, " + found), *placo, *jparse]
+    number_of, *others = text("servo_random", r"Of (\d+) streams of 20 s, " + found)
+    return [*ours, f"{int(number_of):,}", *others, *placo, *jparse]
 
 
 def search() -> list[str]:
