@@ -63,7 +63,7 @@ class DistanceKernel:
             "n": joints,
             "entries": self.n,
             "bodies": len(arrays["joint"]),
-            "selves": len(arrays["self"]),
+            "blocks": len(arrays["block"]),
             "movers": len(arrays["mover"]),
             "groups": len(arrays["group"]),
             "pairs": self.pairs,

@@ -110,6 +110,7 @@ def world_arrays(
     pairs = np.where((joint[pairs[:, 0]] == 0)[:, None], pairs[:, ::-1], pairs)
     arrays |= _pair_tables(pairs, joint)
     arrays |= _groups(arrays["mover"], joint, arrays["ball"])
+    arrays |= _blocks(arrays["self"], joint, arrays["ball"])
     still = _numbers_in(pairs[joint[pairs[:, 1]] == 0, 1], len(objects))
     around = zip(objects, arrays["ball"], arrays["radius"], strict=True)
     arrays["local"] = np.array([_box_around(item, ball, radius) for item, ball, radius in around]).reshape(-1, 6)
@@ -186,21 +187,40 @@ def _pair_tables(pairs: Numbers, joint: Numbers) -> dict[str, Numbers]:
     numbers = np.flatnonzero(meets_still)
     pair_of[row[pairs[numbers, 0]], pairs[numbers, 1]] = numbers
     alone = np.flatnonzero(~meets_still)
+    alone = alone[np.lexsort(joint[pairs[alone]].T)]
     return {"pair_bodies": pairs, "mover": mover, "pair_of": pair_of, "self": np.column_stack([pairs[alone], alone])}
 
 
 def _groups(mover: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[Any]]:
     """For each joint its range in `mover`, and a ball around the bodies there."""
-    first = np.flatnonzero(np.diff(joint[mover], prepend=-1))
-    number = np.diff(np.append(first, len(mover)))
-    balls = []
-    for at, count in zip(first, number, strict=True):
-        own = ball[mover[at : at + count]]
-        low, high = (own[:, :3] - own[:, 3:]).min(axis=0), (own[:, :3] + own[:, 3:]).max(axis=0)
-        centre = (low + high) / 2
-        balls.append([*centre, (np.linalg.norm(own[:, :3] - centre, axis=1) + own[:, 3]).max()])
+    first, number = _runs(joint[mover][:, None])
+    balls = [_ball_around(ball[mover[at : at + count]]) for at, count in zip(first, number, strict=True)]
     group = np.column_stack([joint[mover[first]], first, number])
     return {"group": group, "group_ball": np.array(balls).reshape(-1, 4)}
+
+
+def _blocks(alone: Numbers, joint: Numbers, ball: Array) -> dict[str, NDArray[Any]]:
+    """For each pair of joints its range in the pairs `alone` of moving bodies, and for each of the two a ball around them."""
+    joints = joint[alone[:, :2]]
+    first, number = _runs(joints)
+    balls = [
+        [*_ball_around(ball[alone[at : at + count, 0]]), *_ball_around(ball[alone[at : at + count, 1]])]
+        for at, count in zip(first, number, strict=True)
+    ]
+    return {"block": np.column_stack([joints[first], first, number]), "block_ball": np.array(balls).reshape(-1, 8)}
+
+
+def _runs(rows: Numbers) -> tuple[Numbers, Numbers]:
+    """Where equal rows that follow each other begin, and how many there are."""
+    first = np.flatnonzero((np.diff(rows, axis=0, prepend=-1) != 0).any(axis=1))
+    return first, np.diff(np.append(first, len(rows)))
+
+
+def _ball_around(balls: Array) -> Array:
+    """Centre and radius (4,) of a ball around balls (k, 4)."""
+    low, high = (balls[:, :3] - balls[:, 3:]).min(axis=0), (balls[:, :3] + balls[:, 3:]).max(axis=0)
+    centre = (low + high) / 2
+    return np.array([*centre, (np.linalg.norm(balls[:, :3] - centre, axis=1) + balls[:, 3]).max()])
 
 
 def _trees(

@@ -40,8 +40,10 @@ typedef struct {
     const double *ball;     /* (bodies, 4) centre in the joint's frame, and radius of a ball around the shape */
     const double *local;    /* (bodies, 6) least and largest corner of a box around the shape in the joint's frame */
     const double *x, *y, *z;/* core points in the joint's frame */
-    long selves;            /* pairs that are checked one by one */
-    const long *self;       /* (selves, 3) two bodies and the number of the pair */
+    const long *self;       /* (pairs of moving bodies, 3) two bodies and the number of the pair, sorted by their joints */
+    long blocks;            /* pairs of joints whose bodies are checked against each other */
+    const long *block;      /* (blocks, 4) two joints, the first of their pairs in `self`, and number of pairs */
+    const double *block_ball; /* (blocks, 8) for each of the joints, in its frame, a ball around these bodies */
     long movers;            /* bodies that are checked against the tree */
     const long *mover;
     const long *pair_of;    /* (movers, bodies) number of the pair; -1: not checked */
@@ -1113,11 +1115,16 @@ static void visit_solid(Search *s, long obstacle) {
     s->core = kept;
 }
 
+/* Whether two balls are farther apart than `reach`. */
+static int are_balls_far(const double *a, double radius, const double *b, double other, double reach) {
+    double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + radius + other;
+    return dot(gap, gap) > reaches * reaches;
+}
+
 /* Whether a body and another one, which are bounded, are farther apart than `reach` by balls and boxes around them. */
 static int are_far(const World *w, long one, long two, double reach) {
     const double *a = w->centres + 3 * one, *b = w->centres + 3 * two;
-    double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + w->ball[4 * one + 3] + w->ball[4 * two + 3];
-    return dot(gap, gap) > reaches * reaches || is_beside(w, b, w->ball[4 * two + 3], one, reach) ||
+    return are_balls_far(a, w->ball[4 * one + 3], b, w->ball[4 * two + 3], reach) || is_beside(w, b, w->ball[4 * two + 3], one, reach) ||
            is_beside(w, a, w->ball[4 * one + 3], two, reach);
 }
 
@@ -1189,13 +1196,15 @@ static int is_near(const World *w, const double *centre, double square, long nod
 /* With `count`, all distances below `reach`, in `least` and `found` of the world; otherwise only whether any is. `guess`: as in the
    world; 0: none is kept. */
 static int examine(const World *w, const double *q, double reach, long *count, double *guess) {
-    int verdict = FREE, finite = 1;
+    int finite = 1;
     for (long j = 0; j < w->entries; j++) finite &= isfinite(q[j]) != 0;
     if (!finite) {
         for (long k = 0; count && k < w->pairs; k++) w->least[k] = NAN, w->found[(*count)++] = k;
         return UNDECIDED;
     }
     double *out = count ? w->least : 0;
+    Core core;
+    Search s = {w, -1, &core, 0, -1, reach, out, count, FREE, -1, {{0}, 0}, guess};
     place(w, q);
     for (long g = 0; g < w->groups && w->top >= 0; g++) {
         const long *group = w->group + 3 * g;
@@ -1204,27 +1213,29 @@ static int examine(const World *w, const double *q, double reach, long *count, d
         act(w->frames + 12 * group[0], ball, centre);
         if (!is_near(w, centre, reaches * reaches, w->top)) continue;
         for (long m = group[1]; m < group[1] + group[2]; m++) {
-            Core core;
-            Search s = {w, w->mover[m], &core, w->pair_of + m * w->bodies, -1, reach, out, count, verdict, -1, {{0}, 0}, guess};
+            s.body = w->mover[m], s.pairs = w->pair_of + m * w->bodies;
             core_of(w, s.body, &core);
             descend(&s, w->top);
-            verdict = s.verdict;
-            if (!out && verdict == TOUCHING) return TOUCHING;
+            if (!out && s.verdict == TOUCHING) return TOUCHING;
         }
     }
-    for (long k = 0; k < w->selves; k++) {
-        long one = w->self[3 * k], two = w->self[3 * k + 1];
-        const double *a = w->centres + 3 * one, *b = w->centres + 3 * two;
-        double gap[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]}, reaches = reach + w->ball[4 * one + 3] + w->ball[4 * two + 3];
-        if (dot(gap, gap) > reaches * reaches) continue;
-        Core core;
-        core_of(w, one, &core);
-        Search s = {w, one, &core, 0, w->self[3 * k + 2], reach, out, count, verdict, -1, {{0}, 0}, guess};
-        visit(&s, two, 0);
-        verdict = s.verdict;
-        if (!out && verdict == TOUCHING) return TOUCHING;
+    s.pairs = 0;
+    for (long b = 0; b < w->blocks; b++) {
+        const long *block = w->block + 4 * b;
+        const double *ball = w->block_ball + 8 * b;
+        double one[3], two[3];
+        act(w->frames + 12 * block[0], ball, one), act(w->frames + 12 * block[1], ball + 4, two);
+        if (are_balls_far(one, ball[3], two, ball[7], reach)) continue;
+        for (const long *self = w->self + 3 * block[2], *end = self + 3 * block[3]; self < end; self += 3) {
+            const double *first = w->centres + 3 * self[0], *second = w->centres + 3 * self[1];
+            if (are_balls_far(first, w->ball[4 * self[0] + 3], second, w->ball[4 * self[1] + 3], reach)) continue;
+            s.body = self[0], s.pair = self[2];
+            core_of(w, s.body, &core);
+            visit(&s, self[1], 0);
+            if (!out && s.verdict == TOUCHING) return TOUCHING;
+        }
     }
-    return verdict;
+    return s.verdict;
 }
 
 /* Whether any pair is nearer than `clearance` at q (entries): FREE, TOUCHING or UNDECIDED. */

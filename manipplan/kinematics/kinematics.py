@@ -28,7 +28,7 @@ from manipplan.support.errors import CompilerError, InvalidInputError, UnknownNa
 from manipplan.support.expressions import making_expressions
 from manipplan.support.memo import once_per_owner, source_of
 from manipplan.symbolic.backends import chain_of
-from manipplan.symbolic.chain import WORLD, SymbolicChain, constant, jacobian_of, step
+from manipplan.symbolic.chain import WORLD, Placement, SymbolicChain, constant, jacobian_of, step
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.machine_code import as_asked, check_compiled, compiled, do_without, wants_machine_code
 from manipplan.symbolic.motion import LedMotion, Motion, Seen, task_rows
@@ -52,10 +52,20 @@ def isometric_jacobians(chain: SymbolicChain, task: Task, plain: tuple[ca.SX, Mo
     if task.tool_rows or len(task.world_rows) < 6:
         seen = _express_at(chain, n if task.tool_rows else middle, None)
         return _with_followers(chain, task.rows_of(*seen)), plain
-    frames = [(f, at) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
-    views = [(_express_at(chain, f, at)[0], f) for f, at in frames]
-    smooth = _rows_along(chain, task, *min(views, key=lambda view: int(view[0].nnz())))
+    smooth = _rows_along(chain, task, *_sparsest_view(chain))
     return smooth[0], smooth
+
+
+@once_per_owner
+def _sparsest_view(chain: SymbolicChain) -> tuple[ca.SX, int]:
+    """Of the Jacobians (6, N) along the axes of a middle joint for the origin of any joint one with the fewest entries.
+
+    The second is the middle joint.
+    """
+    n = len(chain.joints) - 1
+    middle = (n + 1) // 2
+    views = [(_express_at(chain, f, at)[0], f) for f in (middle, max(middle - 1, 1)) for at in range(1, n + 1)]
+    return min(views, key=lambda view: int(view[0].nnz()))
 
 
 def _rows_along(chain: SymbolicChain, task: Task, seen: ca.SX, f: int) -> tuple[ca.SX, Motion]:
@@ -159,15 +169,22 @@ def _express_at(chain: SymbolicChain, f: int, at: int | None) -> tuple[ca.SX, ca
 
     It has a column for each joint, whether it follows another or not.
     """
+    frames = _frames_along(chain, f)
+    end = frames[-1] @ constant(chain.frame.placement)
+    point = end.origin if at is None else frames[at - 1].origin
+    return ca.sparsify(jacobian_of(chain.tree.alone(), frames, point)), end.rotation
+
+
+@once_per_owner
+def _frames_along(chain: SymbolicChain, f: int) -> list[Placement]:
+    """The placements of all joints in the frame of joint f."""
     tree, n = chain.tree, len(chain.joints) - 1
     frames = {f: WORLD}
     for i in range(f + 1, n + 1):
         frames[i] = frames[i - 1] @ step(tree, i, chain.q)
     for i in range(f - 1, 0, -1):
         frames[i] = frames[i + 1] @ step(tree, i + 1, chain.q).inverse()
-    end = frames[n] @ constant(chain.frame.placement)
-    point = end.origin if at is None else frames[at].origin
-    return ca.sparsify(jacobian_of(tree.alone(), [frames[i] for i in range(1, n + 1)], point)), end.rotation
+    return [frames[i] for i in range(1, n + 1)]
 
 
 #: Number of single configurations that CasADi's virtual machine evaluates before machine code is built.

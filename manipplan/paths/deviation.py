@@ -383,10 +383,12 @@ def _piece_distances(vectors: Array, line: Array, moves: int) -> tuple[NDArray[n
 
     ends = np.asarray(cKDTree(line).query(vectors, k=min(CANDIDATES, len(line)))[1]).reshape(len(vectors), -1)
     pieces = np.clip(np.hstack([ends - 1, ends]), 0, len(line) - 2)
-    along, offset = line[pieces + 1] - line[pieces], vectors[:, None] - line[pieces]
-    share = (along * offset).sum(axis=2) / np.maximum((along**2).sum(axis=2), 1e-30)
-    offset = offset - np.clip(share, 0.0, 1.0)[:, :, None] * along
-    return pieces, np.linalg.norm(offset[..., :moves], axis=2) + np.linalg.norm(offset[..., moves:], axis=2)
+    steps = np.diff(line, axis=0)
+    along, offset = steps[pieces], vectors[:, None] - line[pieces]
+    share = np.einsum("kcd,kcd->kc", along, offset) / np.maximum(np.einsum("md,md->m", steps, steps), 1e-30)[pieces]
+    offset -= np.clip(share, 0.0, 1.0)[:, :, None] * along
+    position, rotation = (np.einsum("kcd,kcd->kc", each, each) for each in (offset[..., :moves], offset[..., moves:]))
+    return pieces, np.sqrt(position) + np.sqrt(rotation)
 
 
 def _vectors(poses: Array, free: FreeMotion, radian: float) -> Array:

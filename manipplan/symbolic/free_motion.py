@@ -15,6 +15,8 @@ from manipplan.symbolic.task import PoseRegion, Task
 
 #: Cosines and lengths below this are 0.
 SMALL = 1e-9
+#: Cosine of an angle of rotation from which on the skew part of the matrix does not tell the axis well.
+HALF_TURN = -0.99
 
 
 class Turns(Enum):
@@ -278,22 +280,12 @@ class BoundedMotion(FreeMotion):
         """
         moved, turned = self._displacement(reached, poses)
         position = np.linalg.norm(np.maximum(np.abs(moved) - self.widths[:3], 0.0), axis=1)
-        trace = np.trace(turned, axis1=1, axis2=2)
-        skew = np.stack(
-            [turned[:, 2, 1] - turned[:, 1, 2], turned[:, 0, 2] - turned[:, 2, 0], turned[:, 1, 0] - turned[:, 0, 1]]
-        )
         if self.region.cone is not None:
             there = turned @ self._axis
             tilt = np.arctan2(np.linalg.norm(np.cross(self._axis, there), axis=1), there @ self._axis)
-            spin = 2 * np.abs(np.arctan2(self._axis @ skew, 1 + trace))
+            spin = 2 * np.abs(np.arctan2(_skew(turned) @ self._axis, 1 + np.trace(turned, axis1=1, axis2=2)))
             return position, np.maximum(np.maximum(tilt - self.region.cone, spin - self.region.spin), 0.0)
-        sine = np.linalg.norm(skew, axis=0) / 2
-        angle = np.arctan2(sine, (trace - 1) / 2)
-        vectors = (skew * (angle / np.maximum(2 * sine, SMALL))).T
-        half_turn = (trace < -0.99) | (sine < SMALL)  # where rounding decides on the axis, or there is none
-        if half_turn.any():
-            vectors[half_turn] = rotation_vectors(turned[half_turn])
-        return position, np.linalg.norm(np.maximum(np.abs(vectors) - self.widths[3:], 0.0), axis=1)
+        return position, np.linalg.norm(np.maximum(np.abs(rotation_vectors(turned)) - self.widths[3:], 0.0), axis=1)
 
     def fixed_rows(self, poses: Array) -> Array:
         """All six rows: what is missing to the nearest pose of the region counts."""
@@ -377,9 +369,21 @@ def _free_rotations(task: Task, world: Array, tool: Array) -> tuple[Turns, Array
 
 def rotation_vectors(rotations: Array) -> Array:
     """Rotation vectors (k, 3) of rotations (k, 3, 3), of at most half a turn."""
-    from scipy.spatial.transform import Rotation
+    cosine, skew = (np.trace(rotations, axis1=1, axis2=2) - 1) / 2, _skew(rotations)
+    sine = np.linalg.norm(skew, axis=1) / 2
+    vectors = skew * np.where(sine < SMALL, 0.5, np.arctan2(sine, cosine) / np.maximum(2 * sine, SMALL))[:, None]
+    half_turn = cosine < HALF_TURN
+    if half_turn.any():
+        from scipy.spatial.transform import Rotation
 
-    return np.asarray(Rotation.from_matrix(rotations).as_rotvec())
+        vectors[half_turn] = Rotation.from_matrix(rotations[half_turn]).as_rotvec()
+    return vectors
+
+
+def _skew(rotations: Array) -> Array:
+    """2 sin(angle) times the axis of rotations (k, 3, 3), (k, 3)."""
+    r = rotations
+    return np.stack([r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]], axis=1)
 
 
 def rotations_of(vectors: Array) -> Array:
