@@ -369,6 +369,7 @@ def carry(
         UnknownNameError: no tool or state has that name; the nearest names are listed.
         PlanningError: no continuous motion, or none free of the other arm; its `result` is the plan so far.
     """
+    limit = TimeLimit(time_limit, "sampling positions")
     request = Request.of(
         robot,
         path,
@@ -386,7 +387,6 @@ def carry(
         seed=seed,
     )
     flag("throw", throw)
-    limit = TimeLimit(time_limit, "sampling positions")
     notify = limit.noting(as_callback(progress))
     held, allowed, integral = request.grasps, request.tolerance, request.integral
     first = request.way(next(iter(held)))
@@ -459,10 +459,10 @@ class LoneArm:
         assert self.planner.layers.sampler is not None
         return self.planner.layers.sampler.spec.robot.tool
 
-    def best(self, request: Request, deadline: Deadline) -> RefinedToolPath:
+    def best(self, request: Request, deadline: Deadline, progress: Progress) -> RefinedToolPath:
         """The best motion through the candidates, improved until a deadline; raises PlanningError where none is continuous."""
         planner = replace(self.planner, deadline=deadline)
-        found = planner.best(request.epsilon[self.joints], hold_start=request.start is not None)
+        found = planner.best(request.epsilon[self.joints], hold_start=request.start is not None, progress=progress)
         if isinstance(found, Failure):
             raise PlanningError(f"{self.tool}: {found.message}")
         return found
@@ -588,21 +588,21 @@ def _motion(request: Request, arms: Sequence[LoneArm], deadline: Deadline, notif
     for k, (lead, follow) in enumerate(permutations(arms)):
         notify(k / 2, f"searching for motions of the arms, first of {lead.tool}")
         try:
-            return _in_order(request, lead, follow, deadline)
+            return _in_order(request, lead, follow, deadline, part(notify, k / 2, (k + 1) / 2))
         except PlanningError as error:
             reasons.append(f"{lead.tool} leads: {error}")
     raise PlanningError("; ".join(reasons))
 
 
-def _in_order(request: Request, lead: LoneArm, follow: LoneArm, deadline: Deadline) -> Carried:
+def _in_order(request: Request, lead: LoneArm, follow: LoneArm, deadline: Deadline, notify: Progress) -> Carried:
     model, s, still = request.scene.collision_model(request.robot), lead.planner.layers.s, request.still
     assert s is not None
-    first = lead.best(request, Deadline.within(deadline.left / 2))
+    first = lead.best(request, Deadline.within(deadline.left / 2), part(notify, 0.0, 0.5))
     q = np.tile(still, (len(s), 1))
     q[:, lead.joints] = first.path(s)
     beside = follow.planner.beside(model, follow.joints, q, request.clearance + SPARE_CLEARANCE)
     deadline.check()
-    second = replace(follow, planner=beside).best(request, deadline)
+    second = replace(follow, planner=beside).best(request, deadline, part(notify, 0.5, 1.0))
     seed = side_by_side([(first.seed, lead.joints), (second.seed, follow.joints)], still)
     for own in (second.path, second.seed):  # what is refined knows nothing of the other arm
         joint = side_by_side([(first.path, lead.joints), (own, follow.joints)], still)

@@ -217,6 +217,7 @@ def follow(
         UnknownNameError: no state has the name given as `start`; the nearest names are listed.
         PlanningError: no continuous motion, no lead-in, or none that passes its checks; its `result` is the Plan so far.
     """
+    limit = TimeLimit(time_limit, "sampling positions")
     one_tool(instance("robot", robot, Robot), "following a path of the tool")
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     if not isinstance(path, CartesianPath):
@@ -264,7 +265,6 @@ def follow(
     if interruptions and robot.planar and way[2]:
         wanted = "0, or a vector (3,) with z = 0: the tool of a planar arm stays in its plane"
         raise InvalidInputError("retreat", retreat, wanted)
-    limit = TimeLimit(time_limit, "sampling positions")
     deadline, say = limit.deadline, limit.noting(notify)
     q_start = None
     taken: tuple[TakenToLimit, ...] = ()

@@ -23,7 +23,6 @@ from manipplan.search.sampling import sample_layers
 from manipplan.support.checks import Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.errors import InvalidInputError, PlanningError
-from manipplan.support.progress import silent
 from manipplan.support.status import Failure
 from manipplan.symbolic.free_motion import FreeMotion
 from manipplan.symbolic.task import Task
@@ -183,7 +182,7 @@ def motion_of_leg(
     for number, step in leg.rest:
         if isinstance(step, MoveAlong):
             if found is not None and not items:
-                made = _found(number, step, *found, state)
+                made = _found(number, step, *found, state, planners)
             else:
                 pose = state.robot.kinematics(Task.pose()).pose(q)
                 workspace = step.path if isinstance(step.path, CartesianPath) else straight_on(pose, np.array(step.path))
@@ -220,9 +219,9 @@ def _along(
     planner = planners.along(number, step, path, state)
     if isinstance(planner, LegFailure):
         return planner
-    made = planner.best_from(q, epsilon)
+    made = planner.best_from(q, epsilon, planners.check)
     if isinstance(made, Failure) and not is_straight and planner.has_several_parameters:
-        made = planners.made(step, path, state, near=q).best_from(q, epsilon)
+        made = planners.made(step, path, state, near=q).best_from(q, epsilon, planners.check)
     if isinstance(made, Failure) and step.positions is None:
         planner = planner if is_straight else planners.made(step, path, state, near=q, spacing=SPACING)
         made = _connected(planner, q, epsilon, state, planners)
@@ -239,14 +238,16 @@ def _connected(
         return Failure(message=f"{error.argument} is not {error.allowed}")
     if isinstance(whole, NotConnected):
         return Failure(message=explain_gap(whole.planner, epsilon))
-    path = whole.planner.closely_along(whole.found, silent, hold_start=True).path
+    path = whole.planner.closely_along(whole.found, planners.check, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return Failure(message=outside) if outside else path
 
 
-def _found(number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State) -> RawMotion | LegFailure:
+def _found(
+    number: int, step: MoveAlong, configurations: FirstConfigurations, k: int, state: State, planners: ToolPathPlanners
+) -> RawMotion | LegFailure:
     """The best motion along a path from the k-th of the configurations in which it can begin."""
-    path = configurations.planner.closely_along(configurations.motion(k), silent, hold_start=True).path
+    path = configurations.planner.closely_along(configurations.motion(k), planners.check, hold_start=True).path
     outside = outside_limits(path, state.robot)
     return LegFailure(message=outside) if outside else _motion(number, step, configurations.planner.path, path, state)
 

@@ -11,7 +11,7 @@ from manipplan.search.layers import Layers, step_limits
 from manipplan.search.max_min import SearchResult, max_min_search
 from manipplan.search.sweep import path_length, path_steps, steps_between, within
 from manipplan.support.checks import Array, flag, instance, number, whole_number
-from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError
+from manipplan.support.deadline import NEVER, Deadline, OutOfTimeError, work_time
 from manipplan.support.display import one_line
 from manipplan.support.errors import InvalidInputError
 from manipplan.support.progress import Progress, as_callback, interruptible
@@ -157,6 +157,7 @@ class _Refiner:
         self.tolerance, self.is_exact = self.program.rows.box(tolerance), tolerance is None
         self.step_limits = step_limits(layers, found.epsilon)
         self.history = [found.minimum]
+        self.longest = 0.0  # time of the longest solve so far [s]
         self.bound = self._bound()
 
     def run(self, resample: int, progress: Progress) -> Refinement:
@@ -170,8 +171,7 @@ class _Refiner:
         resampled = self.least(q)
         if not fixed:
             q = self._raise_minimum(q, progress)
-            progress(0.9, "shortening the path")
-            q = self._shorten(q, resampled)
+            q = self._shorten(q, resampled, progress)
         m = self.kinematics.manipulability(q)
         return Refinement(
             q=q,
@@ -224,7 +224,7 @@ class _Refiner:
         for k in range(SOLVES):
             progress(0.3 + 0.6 * k / SOLVES, f"raising the minimum manipulability, {self.least(q):.6g}")
             before = self.least(q)
-            if self.deadline.passed or before >= self.bound - GAIN * abs(self.bound):
+            if self.is_late or before >= self.bound - GAIN * abs(self.bound):
                 break
             new, _ = self._solve(q, trust, None)
             new = self._on_poses(new)
@@ -241,10 +241,16 @@ class _Refiner:
             trust = min(trust * GROW, TRUST) if moved > 0.9 * trust else trust
         return q
 
-    def _shorten(self, q: Array, resampled: float) -> Array:
+    @property
+    def is_late(self) -> bool:
+        """Whether the time that is left is over, or may not be enough for another solve."""
+        return self.deadline.left <= self.longest
+
+    def _shorten(self, q: Array, resampled: float, progress: Progress) -> Array:
         level = max(self.least(q) - GIVEN * abs(self.least(q)), resampled)
         trust = TRUST
-        while trust > LEAST_TRUST and not self.deadline.passed:
+        while trust > LEAST_TRUST and not self.is_late:
+            progress(0.9, "shortening the path")
             new, _ = self._solve(q, trust, level)
             new = self._on_poses(new)
             if self._squares(new) > self._squares(q) * (1 - SHORTER):
@@ -261,8 +267,9 @@ class _Refiner:
         return float(np.square(path_steps(q, self.layers.continuous, closed=self.layers.closed)).sum())
 
     def _solve(self, q: Array, trust: float, level: float | None) -> tuple[Array, float]:
+        began = work_time()
         slopes, slack = self._near_pairs(q, trust)
-        return self.program.solve(
+        found = self.program.solve(
             q,
             self.poses,
             epsilon=self.step_limits * (1 - SPARE),
@@ -273,6 +280,8 @@ class _Refiner:
             level=level,
             hold_start=self.hold_start,
         )
+        self.longest = max(self.longest, work_time() - began)
+        return found
 
     def _near_pairs(self, q: Array, trust: float) -> tuple[Array, Array]:
         """Gradients (L, ROWS, n) of the distances of the nearest pairs, and by how much each may shrink (L, ROWS) [m]."""

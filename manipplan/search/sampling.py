@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel, apart_text
 from manipplan.collision.scene import Scene
-from manipplan.ik.form import CHUNK
 from manipplan.ik.newton import Nearest, millimetres_hint, nearest_to
 from manipplan.ik.solutions import apart
 from manipplan.ik.solver import Found, Solver
@@ -65,8 +64,8 @@ class SamplingSpec:
         return self.scene.collision_model(self.robot) if self.collisions else None
 
 
-#: Number of samples whose configurations one job finds, and of configurations that are checked for collisions together.
-JOB, BLOCK = 8192, 8192
+#: Number of samples that one job solves, and that are solved, or checked for collisions, between two looks at the deadline.
+JOB, BLOCK = 8192, 1024
 #: Time between reports of progress [s].
 REPORT = 0.05
 #: How often the distance between two samples is halved where their solutions are apart.
@@ -435,7 +434,7 @@ class CandidateSampler:
 
     def _solve(self, poses: Array, owners: NDArray[np.int64], values: Array, deadline: Deadline) -> Found:
         found, source = list[Found](), list[NDArray[np.int64]]()
-        for each in _slices(len(values), CHUNK, deadline):
+        for each in _slices(len(values), BLOCK, deadline):
             found.append(self.solver.solve_once(poses, owners[each], values[each], deadline))
             source.append(found[-1].source + each.start)
         return Found(
@@ -510,7 +509,7 @@ class CandidateSampler:
         q = np.concatenate(
             [
                 self.solver.solve_once(pose[None], np.zeros(len(values[each]), dtype=np.int64), values[each]).q
-                for each in _slices(len(values), CHUNK)
+                for each in _slices(len(values), BLOCK)
             ]
         )
         q = q[:: -(-len(q) // MEASURED)]

@@ -115,7 +115,7 @@ def carriers_of(tree: JointTree, joint: int, placements: Sequence[Placement]) ->
     return [placements[i] if tree.carries[joint, i] else None for i in range(1, len(placements))]
 
 
-def jacobian_of(tree: JointTree, carriers: list[Placement | None], point: ca.SX) -> ca.SX:
+def jacobian_of(tree: JointTree, carriers: Sequence[Placement | None], point: ca.SX) -> ca.SX:
     """Jacobian (6, n) of a point; `carriers` are the placements of the joints, None for those that do not carry it."""
     columns = [ca.SX(6, 1)] * tree.leads
     for i, joint in enumerate(carriers):

@@ -316,16 +316,18 @@ class ToolPathPlanner:
         found = max_min_search(planner.layers, epsilon, prefer="first", explain=False, throw=False)
         return found.connected and found.minimum >= share * found.bound
 
-    def best(self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True) -> RefinedToolPath | Failure:
+    def best(
+        self, epsilon: ArrayLike, *, hold_start: bool = False, explain: bool = True, progress: Progress = silent
+    ) -> RefinedToolPath | Failure:
         """The joint path with the largest minimum manipulability, or why there is none; see `max_min_search` and `along`."""
-        planner, found = self.search(epsilon, explain=explain)
-        return (
-            planner.closely_along(found, silent, hold_start=hold_start) if found.connected else Failure(message=found.message)
-        )
+        planner, found = self.search(epsilon, explain=explain, progress=progress)
+        if not found.connected:
+            return Failure(message=found.message)
+        return planner.closely_along(found, progress, hold_start=hold_start)
 
-    def best_from(self, q: Array, epsilon: ArrayLike) -> JointPath | Failure:
+    def best_from(self, q: Array, epsilon: ArrayLike, progress: Progress = silent) -> JointPath | Failure:
         """The same from q (n,), inside the limits also between the positions."""
-        found = self.starting_at(q).best(epsilon, hold_start=True, explain=False)
+        found = self.starting_at(q).best(epsilon, hold_start=True, explain=False, progress=progress)
         if isinstance(found, Failure):
             return found
         outside = outside_limits(found.path, self.robot)
