@@ -105,7 +105,7 @@ def test_no_path_is_exit_code_one(arm_file, tmp_path, capsys):
         "obstacles:\n- {shape: box, size: [0.05, 8, 1], position: [-0.4, 0, 0]}\n"
         "- {shape: box, size: [5, 0.02, 1], position: [2.6, 0, 0]}\n"
     )
-    changes = {"start": ["0.5"] * 3, "goal": ["-0.5"] * 3, "scene": [str(scene)], "time-limit": ["0.3"]}
+    changes = {"start": ["0.5"] * 3, "goal": ["-0.5"] * 3, "scene": [str(scene)], "time-limit": ["60"]}
     assert main(plan_arguments(arm_file, tmp_path / "out", **changes)) == 1
     assert "it is proven that the goal cannot be reached" in capsys.readouterr().err
 
