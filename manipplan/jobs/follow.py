@@ -294,7 +294,12 @@ def follow(
                 progress=until(deadline, notify),
             )
             planner = ToolPathPlanner(
-                path=path, layers=layers.inside(robot.limits), tolerance=within, samples=samples, deadline=deadline
+                path=path,
+                layers=layers.inside(robot.limits),
+                tolerance=within,
+                samples=samples,
+                deadline=deadline,
+                check_ending=limit.check_ending,
             )
             return planner.at_speed(demand)
 

@@ -24,7 +24,7 @@ from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
 from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array, ArrayLike
-from manipplan.support.deadline import NEVER, Deadline, work_time
+from manipplan.support.deadline import NEVER, Deadline, TimeLimit, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
@@ -139,6 +139,7 @@ class ToolPathPlanner:
             `tolerance`.
         halvings: how often the distance between two positions was halved, for each of them; None: never.
         deadline: by which motions are improved, timed and checked.
+        check_ending: called with the time [s] that timing and checks of a motion are likely to take, before it is improved.
         has_fixed_positions: whether no positions can be added, since the candidates of these were chosen one by one.
         demand: constant speed of the tool that is asked for; None: none.
     """
@@ -150,6 +151,7 @@ class ToolPathPlanner:
     allowed: Tolerance | None = None
     halvings: NDArray[np.int64] | None = None
     deadline: Deadline = NEVER
+    check_ending: Callable[[float], None] = TimeLimit(None, "").check_ending
     has_fixed_positions: bool = False
     demand: SpeedDemand | None = None
 
@@ -397,9 +399,8 @@ class ToolPathPlanner:
     ) -> RefinedToolPath:
         """The same for the path that the search found alone; `layers` of the search."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
-        began = work_time()
-        seed, _ = self._joined(found.q, None, hold_start=hold_start)
-        ending = ENDING + ENDING_OF_JOINING * (work_time() - began)
+        seed, ending = self._seed_of(found, hold_start=hold_start)
+        self.check_ending(ending)
         limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
         refined = refine(
             layers or self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress
@@ -417,6 +418,19 @@ class ToolPathPlanner:
             demand=self.demand,
             is_for_speed=layers is not None,
         )
+
+    def _seed_of(self, found: SearchResult, *, hold_start: bool) -> tuple[JointPath, float]:
+        """The joint path through the candidates of a path found, and the time that timing and checks are likely to take [s]."""
+        began = work_time()
+        seed, _ = self._joined(found.q, None, hold_start=hold_start)
+        return seed, ENDING + ENDING_OF_JOINING * (work_time() - began)
+
+    def improving_until(self, found: SearchResult) -> Deadline:
+        """The time by which a path that was found has to be timed and checked to end by the deadline."""
+        if np.isinf(self.deadline.at):
+            return NEVER
+        _, ending = self._seed_of(found, hold_start=False)
+        return Deadline(at=self.deadline.at - ending)
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The same with more positions where it is loose between those there are, from the same first configuration."""

@@ -24,7 +24,7 @@ from manipplan.search.interruptions import fewest_interruptions, find_gaps
 from manipplan.search.max_min import SearchResult, max_min_search, path_above
 from manipplan.search.sweep import check_epsilon, path_steps
 from manipplan.support.checks import COINCIDENT, Array, ArrayLike
-from manipplan.support.deadline import Deadline, OutOfTimeError
+from manipplan.support.deadline import Deadline, OutOfTimeError, until
 from manipplan.support.errors import InvalidInputError, OutOfReachError, PlanningError
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
@@ -162,25 +162,28 @@ def raise_minimum(
 
     A search in which steps may be longer tells where a better motion needs that. Positions are put there, and beside, where
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
-    a minimum larger by GAIN, even with the longest steps that positions can be put between, or positions did not raise it.
+    a minimum larger by GAIN, even with the longest steps that positions can be put between, positions did not raise it, or
+    the time is needed for timing and checks.
     """
     begun, found = _search_from(planner, epsilon, notify, start)
     if planner.demand is not None or planner.has_several_parameters or not found.connected:
         return planner, (begun, found)
-    while not planner.deadline.passed:
-        least = found.minimum + GAIN * abs(found.minimum)
-        needed = _pieces_needed(begun, epsilon, least, part(notify, 0.0, 0.0))
-        if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST:
-            break
-        notify(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
-        try:
-            divided = planner.divided(needed, silent)
-        except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
-            break
-        raised, higher = _search_from(divided, epsilon, part(notify, 0.0, 0.0), start)
-        if higher.minimum <= least or (begun.is_calm(found) and not raised.is_calm(higher)):
-            break
-        planner, begun, found = divided, raised, higher
+    in_time = until(begun.improving_until(found), part(notify, 0.0, 0.0))
+    with suppress(OutOfTimeError):
+        while True:
+            least = found.minimum + GAIN * abs(found.minimum)
+            needed = _pieces_needed(begun, epsilon, least, in_time)
+            if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST:
+                break
+            in_time(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
+            try:
+                divided = planner.divided(needed, in_time)
+            except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
+                break
+            raised, higher = _search_from(divided, epsilon, in_time, start)
+            if higher.minimum <= least or (begun.is_calm(found) and not raised.is_calm(higher)):
+                break
+            planner, begun, found = divided, raised, higher
     return planner, (begun, found)
 
 

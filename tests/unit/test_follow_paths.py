@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 import manipplan as mp
 from manipplan.search.interruptions import find_gaps
 from manipplan.search.layers import choose_positions
+from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit
 from manipplan.support.progress import silent
 from manipplan.tool_path.engine import ToolPathPlanner
 from manipplan.tool_path.parts import connect, raise_minimum
@@ -186,6 +187,31 @@ def test_a_wall_that_ends_all_motions_is_named():
 
 
 # ---- the time limit
+
+
+def test_what_was_found_is_kept_where_no_time_is_left_for_more():
+    """No positions are added then, and the refinement begins no solve."""
+    panda = mp.load_robot("panda")
+    begin = panda.kinematics().pose(panda.states["default"])
+    end = begin.copy()
+    end[:3, 3] += [0, 0.4, 0]
+    path = mp.CartesianPath.line(begin, end)
+    layers = mp.sample_layers(panda, path, 12, samples=60)
+    late = ToolPathPlanner(path=path, layers=layers, deadline=Deadline.within(0.0))
+    planner, (_, found) = raise_minimum(late, 0.4, silent)
+    assert planner is late and np.array_equal(found.q, mp.max_min_search(layers, 0.4).q)
+    refined = late.along(found, silent)
+    assert np.array_equal(refined.refinement.q, found.q) and np.abs(refined.path(layers.s) - found.q).max() < 1e-3
+
+
+def test_a_motion_is_not_begun_to_be_improved_where_its_checks_would_end_too_late():
+    panda = mp.load_robot("panda")
+    path = mp.CartesianPath.line(*(panda.kinematics().pose(panda.neutral + [each, 0, 0, 0, 0, 0, 0]) for each in (0.0, 0.1)))
+    planner = ToolPathPlanner(path=path, layers=mp.sample_layers(panda, path, 6, samples=40))
+    _, found = planner.search(0.4)
+    with pytest.raises(OutOfTimeError):
+        replace(planner, check_ending=TimeLimit(1e-3, "").check_ending).along(found, silent)
+    assert replace(planner, check_ending=TimeLimit(600.0, "").check_ending).along(found, silent).ending > 0.3
 
 
 @pytest.mark.slow
