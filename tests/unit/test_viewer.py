@@ -35,6 +35,7 @@ from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
 from manipplan.viz.viewer.plan_viewer import LEFT, RIGHT, WIDTH, Chart, ChartLine, chart_of
 from manipplan.viz.viewer.stage import GHOST, corners, right_of
+from manipplan.viz.viewer.teleoperation import gauge_rows
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -718,6 +719,22 @@ def test_keys_and_buttons_move_the_tool_through_the_edge_of_its_reach(open_page)
         page.get_by_role("button", name="Back to the start").click()
         wait_until(lambda: np.abs(live.q - [0.3, 0.8, 0.9]).max() < 1e-9)
     assert not live.running
+
+
+def test_a_gauge_in_words():
+    """As many rows at each step: buttons are below them."""
+    servo = mp.Servo(mp.planar_arm([1.0, 1.0]), dt=0.01)
+    q, qd, seen = np.array([0.0, 0.8]), np.zeros(2), []
+    for k in range(400):
+        qd = servo.step(q, qd, [1.0, 0, 0, 0, 0, 0] if k < 300 else None)
+        q = q + servo.dt * qd
+        seen.append(dict(gauge_rows(servo.gauge)))
+    names = ["followed", "singularity ahead", "reached in", "edge of the reach", "limited by"]
+    assert all(list(each) == names and each["followed"][:2] != "-0" for each in seen)
+    assert seen[0]["limited by"].startswith("acceleration joint") and seen[-1]["limited by"] == "stale: the arm brakes"
+    assert re.fullmatch("fold of joint.", seen[299]["singularity ahead"]) and seen[299]["reached in"] == "0.0 s, 0 mm"
+    still = servo.gauge._replace(followed=-1e-4)
+    assert dict(gauge_rows(still))["followed"] == "0 %, sideways 0 %"
 
 
 @pytest.mark.slow

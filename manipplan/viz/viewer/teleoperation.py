@@ -210,7 +210,7 @@ def gauge_rows(gauge: ServoGauge) -> list[tuple[str, str]]:
     elif gauge.reason is not ServoLimit.NOTHING:
         limit = f"{gauge.reason.name.lower()} {gauge.limit_joint}".strip()
     rows = [
-        ("followed", f"{100 * gauge.followed:.0f} %, sideways {100 * gauge.slip:.0f} %"),
+        ("followed", f"{100 * gauge.followed:z.0f} %, sideways {100 * gauge.slip:.0f} %"),
         ("singularity ahead", ahead),
         ("reached in", when),
         ("edge of the reach", f"{100 * gauge.wall:.0f} % of the command points at it"),
