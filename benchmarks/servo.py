@@ -201,7 +201,7 @@ def other_rows() -> list[str]:
 def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[str]:
     """The table of all laws; without environments that of `mp.Servo` is new, and the others keep their rows."""
     streams, cases = designed(models), leaving_cases(models)
-    lines = ["## Designed streams", "", HEAD, "|" + "---|" * 11]
+    lines = ["### Designed streams", "", HEAD, "|" + "---|" * 11]
     walks, count = ["walk" in name for name in streams], len(streams)
     arms = [models[each.arm] for each in [*streams.values(), *cases]]
 
@@ -264,7 +264,7 @@ def random_streams(count: int) -> list[str]:
         *lines,
         "",
         f"Of {len(every)} streams of 20 s, {having('stalled')} stall, avoidably {having('stalls_avoidable')}, "
-        f"and {having('backward')} have a sample that moves backward, avoidably {having('backward_avoidable')}. "
+        f"and {having('backward')} have a sample that moves backward, avoidably {having('backward_avoidable')}; "
         f"{halts} steps halted or raised.",
     ]
 

@@ -99,19 +99,21 @@ def frames(found: dict[str, Run], arm: Arm, robot: mp.Robot) -> Iterator[Image.I
     corners = np.array([(x, y, z) for x in (-ROOM, ROOM) for y in (-ROOM, ROOM) for z in (-ROOM, ROOM)])
     bones = np.concatenate([skeleton(robot, q) for run in found.values() for q in run.q[: steps + 1 : 200]])
     tools = {law: robot.kinematics().pose(run.q[:steps])[:, :3, 3] for law, run in found.items()}
+    commands = np.array(next(iter(found.values())).twist[:steps])[:, :3]
+    arrows = ARROW * commands / np.maximum(np.linalg.norm(commands, axis=1, keepdims=True), 1e-9)
+    ends = np.concatenate([tools[law][::200] + arrows[::200] for law in found])
     window = np.full(round(AVERAGED / DT), DT / AVERAGED)
     followed = {law: np.convolve(shares(arm, run, 1)[1][:steps], window, "same") for law, run in found.items()}
     folder = Path(plt.matplotlib.get_data_path(), "fonts", "ttf")
     bold, plain = (ImageFont.truetype(str(folder / name), 13) for name in ("DejaVuSans-Bold.ttf", "DejaVuSans.ttf"))
-    with Renderer(robot, mp.Scene(), (bones[:, None] + corners).reshape(-1, 3), (WIDTH, HEIGHT)) as renderer:
+    around = np.concatenate([(bones[:, None] + corners).reshape(-1, 3), ends])
+    with Renderer(robot, mp.Scene(), around, (WIDTH, HEIGHT)) as renderer:
         for i in range(0, steps, round(FASTER / FPS / DT)):
             picture = Image.new("RGB", (COLUMNS * WIDTH, rows * (HEIGHT + HEAD)), PAPER)
             pen = ImageDraw.Draw(picture)
             for k, (law, run) in enumerate(found.items()):
                 x, y = k % COLUMNS * WIDTH, k // COLUMNS * (HEIGHT + HEAD)
-                command = run.twist[i][:3]
-                tip = tools[law][i] + ARROW * command / max(float(np.linalg.norm(command)), 1e-9)
-                way = DrawnWay(points=np.array([tools[law][i], tip]), colour=COMMAND)
+                way = DrawnWay(points=np.array([tools[law][i], tools[law][i] + arrows[i]]), colour=COMMAND)
                 picture.paste(Image.fromarray(renderer.draw(run.q[i], [way])), (x, y + HEAD))
                 share = float(followed[law][i])
                 pen.text((x + 8, y + 8), name_of(law), INK, bold)

@@ -35,6 +35,7 @@ from manipplan.viz.viewer import server as pages
 from manipplan.viz.viewer.bodies import appearance_of, capsules, convex_bodies
 from manipplan.viz.viewer.plan_viewer import LEFT, RIGHT, WIDTH, Chart, ChartLine, chart_of
 from manipplan.viz.viewer.stage import GHOST, corners, right_of
+from manipplan.viz.viewer.teleoperation import gauge_rows
 
 FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-background-networking "
@@ -653,6 +654,9 @@ def test_a_dragged_target_is_followed(open_page):
         wait_until(lambda: np.abs(live.target[:3, 3] - robot.kinematics().pose([0.3, 0.8, 0.9])[:3, 3]).max() < 1e-9)
         page.get_by_role("checkbox").first.click(force=True)
         wait_until(lambda: live.drive == 0.0)
+        live.drive = 0.5
+        wait_until(page.get_by_role("checkbox").first.is_checked)
+        assert live.drive == 0.5
         with pytest.raises(mp.errors.InvalidInputError, match="target"):
             live.target = np.zeros((4, 4))
     assert not live.running
@@ -675,21 +679,31 @@ def test_keys_and_buttons_move_the_tool_through_the_edge_of_its_reach(open_page)
         page = open_page(live.url)
         drawn(page)
         page.locator(".mantine-Notification-closeButton").click()  # it tells that there is no graphics card
-        live.speed = 0.4
+        axes, speed = page.locator("input[aria-haspopup=listbox]:visible"), page.locator("input:visible").first
+        assert (axes.input_value(), speed.input_value()) == ("world", "0.1")
+        live.speed, live.frame = 0.4, "tool"
+        wait_until(lambda: (axes.input_value(), speed.input_value()) == ("tool", "0.4"))
+        axes.click()
+        page.get_by_role("option", name="world").click()
+        wait_until(lambda: live.frame == "world")
+        assert live.speed == 0.4
+        assert page.evaluate("document.activeElement.localName") == "input"  # whose focus takes no key
         before = live.pose[:3, 3]
         page.keyboard.press("j")
-        wait_until(lambda: live.pose[1, 3] > before[1] + 0.1)
-        wait_until(lambda: not live.twist.any())  # a key that is not repeated ends by itself
+        wait_until(lambda: live.pose[1, 3] > before[1] + 0.01)
+        wait_until(lambda: not live.twist.any())
         np.testing.assert_allclose(live.pose[0, 3], before[0], atol=0.02)
-        end = time.monotonic() + 60.0
-        while live.gauge.wall < 0.5:  # a held key is repeated by the keyboard
-            page.keyboard.down("j")
-            page.keyboard.down("i")
-            assert time.monotonic() < end, live.gauge
+        page.keyboard.down("j")
+        page.keyboard.down("i")  # a keyboard repeats only the last one; both count
+        wait_until(lambda: live.twist[:2].min() > 0)
+        wait_until(lambda: live.gauge.wall > 0.5)
         assert live.gauge.kind.name == "FOLD" and live.gauge.status == 0
         stretched = np.linalg.norm(live.pose[:2, 3])
         assert 2.35 < stretched <= 2.4
         page.keyboard.up("i")
+        wait_until(lambda: live.twist[0] == 0 < live.twist[1])
+        page.evaluate("dispatchEvent(new Event('blur'))")  # to another window: the key comes up there
+        wait_until(lambda: not live.twist.any())
         page.keyboard.up("j")
         wait_until(lambda: "edge of the reach" in page.locator("body").inner_text())
         button = page.get_by_role("button", name="K: backward, -x")
@@ -705,6 +719,22 @@ def test_keys_and_buttons_move_the_tool_through_the_edge_of_its_reach(open_page)
         page.get_by_role("button", name="Back to the start").click()
         wait_until(lambda: np.abs(live.q - [0.3, 0.8, 0.9]).max() < 1e-9)
     assert not live.running
+
+
+def test_a_gauge_in_words():
+    """As many rows at each step: buttons are below them."""
+    servo = mp.Servo(mp.planar_arm([1.0, 1.0]), dt=0.01)
+    q, qd, seen = np.array([0.0, 0.8]), np.zeros(2), []
+    for k in range(400):
+        qd = servo.step(q, qd, [1.0, 0, 0, 0, 0, 0] if k < 300 else None)
+        q = q + servo.dt * qd
+        seen.append(dict(gauge_rows(servo.gauge)))
+    names = ["followed", "singularity ahead", "reached in", "edge of the reach", "limited by"]
+    assert all(list(each) == names and each["followed"][:2] != "-0" for each in seen)
+    assert seen[0]["limited by"].startswith("acceleration joint") and seen[-1]["limited by"] == "stale: the arm brakes"
+    assert re.fullmatch("fold of joint.", seen[299]["singularity ahead"]) and seen[299]["reached in"] == "0.0 s, 0 mm"
+    still = servo.gauge._replace(followed=-1e-4)
+    assert dict(gauge_rows(still))["followed"] == "0 %, sideways 0 %"
 
 
 @pytest.mark.slow
@@ -975,6 +1005,12 @@ def test_a_speed_that_is_none_does_not_end_the_play(plan):
         for value in (-1.0, "much", np.inf):
             with pytest.raises(mp.errors.InvalidInputError, match="drive"):
                 page.drive = value
+    with viewer.teleoperate(mp.planar_arm([1.0, 1.0]), port=0, open_browser=False) as page:
+        for value in (0.0, "fast", np.nan):
+            with pytest.raises(mp.errors.InvalidInputError, match="speed"):
+                page.speed = value
+        page.speed = 2.0  # beyond the slider's end
+        assert page.speed == 2.0
 
 
 def test_a_page_may_end_itself(plan, monkeypatch):

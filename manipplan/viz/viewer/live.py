@@ -211,6 +211,7 @@ class LiveViewer(LiveArm):
     @drive.setter
     def drive(self, value: float) -> None:
         self._drive = number("drive", value, least=0.0)
+        self._raises.value = self._drive > 0.0
 
     @property
     def target(self) -> Array:
@@ -258,8 +259,13 @@ class LiveViewer(LiveArm):
     def _add_controls(self, gui: Any) -> None:
         gui.add_markdown("Drag the arrows at the tool; the arm follows within its limits.")
         drives = self.controller.formulation.solves_qp
-        raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
-        raises.on_update(lambda _: setattr(self, "drive", float(raises.value)))
+        self._raises = raises = gui.add_checkbox("raise the manipulability", initial_value=True, visible=drives)
+
+        def choose(event: Any) -> None:
+            if event.client:  # not where the program assigns
+                self._drive = float(raises.value)
+
+        raises.on_update(choose)
 
     def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
         pose, status = self._position.pose(q), self.controller.report.status

@@ -7,10 +7,11 @@ import numpy as np
 
 from manipplan.collision.scene import Scene
 from manipplan.robots.robot import Robot
-from manipplan.support.checks import Array, ArrayLike, array_of_shape, one_of
+from manipplan.support.checks import Array, ArrayLike, array_of_shape, number, one_of
 from manipplan.symbolic.task import Task
 from manipplan.tracking.servo import Servo, ServoGauge, ServoLimit, Singularity
 from manipplan.viz.viewer.live import LiveArm, read_live
+from manipplan.viz.viewer.plan_viewer import table
 from manipplan.viz.viewer.server import HOST, PORT
 
 #: Keys, what they do, and the direction: index of the twist and sign. viser itself moves the camera by W, A, S, D, Q, E.
@@ -28,12 +29,12 @@ KEYS = (
     ("Y", "turn about +z", (5, 1)),
     ("H", "turn about -z", (5, -1)),
 )
-#: How long the first press of a key counts, until the keyboard repeats it, and how long a repeated one and a button do [s].
-PRESS, REPEAT = 0.5, 0.2
+#: How long a message of a held button counts, as a busy browser sends few, and the last one before it is let go [s].
+HOLD, TAP = 0.5, 0.1
 #: Messages per second of a button that is held down.
 HOLD_RATE = 20.0
-#: Initial and largest speed [m/s], and radians per metre of turns.
-SPEED, FASTEST, TURN = 0.1, 0.5, 4.0
+#: Initial, smallest and largest speed [m/s], and radians per metre of turns.
+SPEED, SLOWEST, FASTEST, TURN = 0.1, 0.01, 0.5, 4.0
 #: What the two axes of commands are called.
 FRAMES = ("world", "tool")
 
@@ -79,30 +80,38 @@ class ServoViewer(LiveArm):
 
     Attributes:
         servo: computes the steps.
-        speed: of keys and buttons [m/s]; turns take four radians per metre.
     """
 
     room = 0.6  # keys take the arm to the edge of its reach
 
     def __init__(self, servo: Servo, start: Array, scene: Scene, *, port: int, host: str) -> None:
-        self.servo, self.speed = servo, SPEED
-        self._frame = "world"
+        self.servo, self._speed = servo, SPEED
         self._twist: Array | None = None
         self._steered = False
-        self._presses: dict[tuple[int, int], tuple[float, float]] = {}
+        self._presses: dict[tuple[int, int], float] = {}
         self._gauge: ServoGauge | None = None
         robot = servo.robot
         title = f"{robot.name}: move the tool"
         super().__init__(robot, servo.task, servo.dt, start, scene, title=title, port=port, host=host)
 
     @property
+    def speed(self) -> float:
+        """Of keys and buttons [m/s]; turns take four radians per metre."""
+        return self._speed
+
+    @speed.setter
+    def speed(self, value: float) -> None:
+        self._speed = number("speed", value, above=0.0)
+        self._speed_control.value = min(max(self._speed, SLOWEST), FASTEST)
+
+    @property
     def frame(self) -> str:
         """Axes of the commands, "world" or "tool"."""
-        return self._frame
+        return str(self._frame_control.value)
 
     @frame.setter
     def frame(self, value: str) -> None:
-        self._frame = one_of("frame", value, FRAMES)
+        self._frame_control.value = one_of("frame", value, FRAMES)
 
     @property
     def twist(self) -> Array:
@@ -130,38 +139,44 @@ class ServoViewer(LiveArm):
             self._twist = None
             self._presses.clear()
 
-    def press(self, index: int, sign: int, *, seconds: float | None = None) -> None:
-        """Move along a direction of the twist for some time [s]; default: as long as a pressed key counts."""
-        now = time.monotonic()
+    def press(self, index: int, sign: int, *, seconds: float = HOLD) -> None:
+        """Move along a direction of the twist for some time [s]."""
         with self._lock:
-            _, last = self._presses.get((index, sign), (0.0, -np.inf))
-            if seconds is None:
-                seconds = REPEAT if now - last < PRESS + 0.1 else PRESS
-            self._presses[index, sign] = now + seconds, now
+            self._presses[index, sign] = time.monotonic() + seconds
             self._twist = None
+
+    def _let_go(self, index: int, sign: int) -> None:
+        with self._lock:
+            if (index, sign) in self._presses:
+                self._presses[index, sign] -= HOLD - TAP
 
     def _pressed(self) -> Array:
         twist, now = np.zeros(6), time.monotonic()
-        for (index, sign), (until, _) in self._presses.items():
+        for (index, sign), until in self._presses.items():
             if now < until:
                 twist[index] += sign * self.speed * (TURN if index >= 3 else 1.0)
         return twist
 
     def _step(self) -> Array:
         if self._twist is None:
-            velocity = self.servo.step(self._q, self._qd, self._pressed(), self._frame)
+            velocity = self.servo.step(self._q, self._qd, self._pressed(), self.frame)
         else:
-            velocity = self.servo.step(self._q, self._qd, self._twist if self._steered else None, self._frame)
+            velocity = self.servo.step(self._q, self._qd, self._twist if self._steered else None, self.frame)
             self._steered = False
         self._gauge = self.servo.gauge
         return velocity
 
     def _add_controls(self, gui: Any) -> None:
         gui.add_markdown("Hold a button, or its key. Stretch the arm: it stops at the edge of its reach, and comes back.")
-        speed = gui.add_slider("speed [m/s]", min=0.01, max=FASTEST, step=0.01, initial_value=self.speed)
-        speed.on_update(lambda _: setattr(self, "speed", float(speed.value)))
-        frame = gui.add_dropdown("axes", FRAMES, initial_value=self.frame)
-        frame.on_update(lambda _: setattr(self, "frame", frame.value))
+        speed = gui.add_slider("speed [m/s]", min=SLOWEST, max=FASTEST, step=0.01, initial_value=self.speed)
+        self._speed_control, self._frame_control = speed, gui.add_dropdown("axes", FRAMES, initial_value=FRAMES[0])
+
+        def choose_speed(event: Any) -> None:
+            if event.client:  # not where the program assigns, which may be faster
+                self._speed = float(speed.value)
+
+        speed.on_update(choose_speed)
+        self._ahead = gui.add_html("")
         turns = bool(np.any([row[3:] for row in (*self.servo.task.world_rows, *self.servo.task.tool_rows)]))
         with gui.add_folder("Move"):
             self._add_keys(gui, KEYS[:4] if self.arm.planar else KEYS[:6])
@@ -173,26 +188,34 @@ class ServoViewer(LiveArm):
         for key, name, (index, sign) in keys:
             button = gui.add_button(f"{key}: {name}")
             command = gui.add_command(name, hotkey=key)
-            button.on_hold(lambda _, i=index, s=sign: self.press(i, s, seconds=REPEAT), callback_hz=HOLD_RATE)
+            button.on_hold(lambda _, i=index, s=sign: self.press(i, s), callback_hz=HOLD_RATE)
+            button.on_click(lambda _, i=index, s=sign: self._let_go(i, s))
             command.on_trigger(lambda _, i=index, s=sign: self.press(i, s))
 
-    def _rows(self, q: Array, m: float) -> list[tuple[str, str]]:
-        return super()._rows(q, m) + ([] if self._gauge is None else gauge_rows(self._gauge))
+    def _draw(self, now: float, *, figures: bool) -> None:
+        super()._draw(now, figures=figures)
+        if figures and self._gauge is not None:
+            self._ahead.content = table(gauge_rows(self._gauge))
 
 
 def gauge_rows(gauge: ServoGauge) -> list[tuple[str, str]]:
-    """The gauge in words."""
-    rows = [("followed", f"{100 * gauge.followed:.0f} %, sideways {100 * gauge.slip:.0f} %")]
-    if gauge.kind is Singularity.CLEAR:
-        rows.append(("singularity ahead", "none"))
-    else:
-        when = f" in {gauge.seconds:.1f} s, {1e3 * gauge.metres:.0f} mm" if np.isfinite(gauge.seconds) else ""
-        rows.append(("singularity ahead", f"{gauge.kind.name.lower()} of {gauge.joint}{when}"))
-    rows.append(("edge of the reach", f"{100 * gauge.wall:.0f} % of the command points at it"))
-    if gauge.reason is not ServoLimit.NOTHING:
-        rows.append(("limited by", f"{gauge.reason.name.lower()} {gauge.limit_joint}".strip()))
+    """The gauge in words; as many rows at each step, as buttons are below them."""
+    ahead, when, limit = "none", "-", "nothing"
+    if gauge.kind is not Singularity.CLEAR:
+        ahead = f"{gauge.kind.name.lower()} of {gauge.joint}"
+    if np.isfinite(gauge.seconds):
+        when = f"{gauge.seconds:.1f} s, {1e3 * gauge.metres:.0f} mm"
+    if gauge.status:
+        limit = f"{gauge.status.name.lower().replace('_', ' ')}: the arm brakes"
+    elif gauge.reason is not ServoLimit.NOTHING:
+        limit = f"{gauge.reason.name.lower()} {gauge.limit_joint}".strip()
+    rows = [
+        ("followed", f"{100 * gauge.followed:z.0f} %, sideways {100 * gauge.slip:.0f} %"),
+        ("singularity ahead", ahead),
+        ("reached in", when),
+        ("edge of the reach", f"{100 * gauge.wall:.0f} % of the command points at it"),
+        ("limited by", limit),
+    ]
     if np.isfinite(gauge.clearance):
         rows.append(("distance", f"{1e3 * gauge.clearance:.0f} mm"))
-    if gauge.status:
-        rows.append(("step", f"{gauge.status.name.lower().replace('_', ' ')}: the arm brakes"))
     return rows
