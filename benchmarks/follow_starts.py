@@ -127,8 +127,8 @@ def lines_of_speeds(case: Case) -> list[str]:
                 continue
             speed, named = float(most.group(1)), f"refused: at most {1e3 * float(most.group(1)):.4g}"
             kept = case.follow(tool_speed=speed).report.along[0].tool_speed
-        cells = [case.name, f"{1e3 * asked:g}", named or "kept", f"{100 * (kept.slowest / speed - 1):.2f} %"]
-        cells += [f"{100 * (kept.fastest / speed - 1):.2f} %", f"{1e3 * max(kept.ramps):.2g}"]
+        cells = [case.name, f"{1e3 * asked:g}", named or "kept", f"{100 * (kept.slowest / speed - 1):z.2f} %"]
+        cells += [f"{100 * (kept.fastest / speed - 1):z.2f} %", f"{1e3 * max(kept.ramps):.2g}"]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 

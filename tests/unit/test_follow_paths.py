@@ -168,7 +168,7 @@ def test_a_motion_that_a_joint_limit_ends_names_the_place_the_joint_and_the_reso
     found = mp.follow(panda, turning(pose, 11.0), throw=False)
     assert found.status is mp.Status.NOT_CONNECTED
     assert found.message.startswith("no motion leads on from s = 0.")
-    assert "limit of panda_joint" in found.message and "values of panda_joint7 0.00806 rad or m apart" in found.message
+    assert "limit of panda_joint" in found.message and "values of panda_joint7 0.00806 rad apart" in found.message
     apart = float(found.message.split("positions at most ")[1].split(" mm")[0])
     assert apart < 1e-6  # the tool turns on the spot
     assert "with 2 interruptions there is a motion: interruptions=2 allows them" in found.message
