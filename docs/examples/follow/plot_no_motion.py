@@ -77,24 +77,16 @@ onward, backward = reached(range(len(s))), reached(range(len(s) - 1, -1, -1))
 figure, ax = plt.subplots(figsize=(8, 4.5), layout="constrained")
 for k, q in enumerate(layers.q):
     joint, at = np.rad2deg(q[:, 6]), np.full(len(q), s[k])
-    for here, color in (
-        (~onward[k] & ~backward[k], "0.85"),
-        (onward[k], "C0"),
-        (backward[k], "C1"),
-    ):
+    for here, color in ((onward[k], "C0"), (backward[k], "C1")):
         ax.plot(at[here], joint[here], ".", color=color, markersize=1.5)
-for color, label in (
-    ("C0", "reached from the beginning"),
-    ("C1", "lead to the end"),
-    ("0.85", "neither"),
-):
+for color, label in (("C0", "reached from the beginning"), ("C1", "lead to the end")):
     ax.plot([], [], "o", color=color, label=label)
 for limit in (robot.limits.lower[6], robot.limits.upper[6]):
     ax.axhline(np.rad2deg(limit), color="k", linestyle="--", linewidth=1)
 ax.set(
     xlabel="s along the path", ylabel="last joint [°]; dashed: its limits", xlim=(0, 1)
 )
-ax.legend(loc="upper center", ncols=3, bbox_to_anchor=(0.5, 1.12), frameon=False)
+ax.legend(loc="upper center", ncols=2, bbox_to_anchor=(0.5, 1.12), frameon=False)
 plt.show()
 
 last = max(k for k, each in onward.items() if each.any())
