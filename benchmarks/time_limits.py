@@ -157,6 +157,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--problems", type=int, default=4, help="number of problems of each set")
     parser.add_argument("--out", type=Path, default=OUT, help="the table's file")
     options = parser.parse_args(arguments)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background of a shell ignores interrupts
     robot = problems.robot("panda")
     work = chosen(robot, options.problems)
     usual = [planned(robot, each, 100.0)[0] for each in track(work, description="without a limit")]
@@ -188,7 +189,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
             taken += [interrupted(lambda job=job: job(None), seconds, rng) for _ in range(INTERRUPTS)]
         lines += [interrupts(name, taken), ""]
     lines += [
-        f"{len(work)} problems of MotionBenchMaker, the first {options.problems} of each set. Wall time; "
+        f"{len(work)} problems of MotionBenchMaker, the first {options.problems} of each set. Wall time, also of what is "
+        f"built once, which the limits do not count: here for the arm with each part that a program picks up; "
         f"Python {platform.python_version()}, {platform.machine()}; command: `make benchmark`.",
     ]
     options.out.write_text("\n".join(lines) + "\n")

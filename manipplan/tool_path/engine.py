@@ -115,6 +115,8 @@ SPACING = 0.05
 SHORTEST = 1e-3
 #: Time that timing and checks of a motion take [s], at least, and for each second in which its path is joined.
 ENDING, ENDING_OF_JOINING = 0.3, 25.0
+#: How many times this time is left for them while a motion is improved, as timing takes longer near singularities.
+RESERVED = 1.5
 #: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
 STEPS, EXACT = 100, 1e-10
 #: Share to which the slowest joints with which the tool can have its speed are found, factor by which they can be slower at
@@ -401,7 +403,7 @@ class ToolPathPlanner:
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         seed, ending = self._seed_of(found, hold_start=hold_start)
         self.check_ending(ending)
-        limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - ending, SHORTEST)
+        limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - RESERVED * ending, SHORTEST)
         refined = refine(
             layers or self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress
         )
@@ -430,7 +432,7 @@ class ToolPathPlanner:
         if np.isinf(self.deadline.at):
             return NEVER
         _, ending = self._seed_of(found, hold_start=False)
-        return Deadline(at=self.deadline.at - ending)
+        return Deadline(at=self.deadline.at - RESERVED * ending)
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:
         """The same with more positions where it is loose between those there are, from the same first configuration."""
