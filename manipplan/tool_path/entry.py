@@ -19,7 +19,7 @@ from manipplan.goals.candidates import APART, GoalCandidate, rate_candidates, st
 from manipplan.robots.robot import Robot
 from manipplan.search.max_min import SearchResult, minimum_from_each, search_within
 from manipplan.support.checks import COINCIDENT, Array
-from manipplan.support.deadline import Deadline, work_time
+from manipplan.support.deadline import Deadline, OutOfTimeError, work_time
 from manipplan.support.progress import Progress, part
 from manipplan.support.status import Failure
 from manipplan.tool_path.engine import RefinedToolPath, ToolPathPlanner
@@ -256,7 +256,12 @@ def choose_entry(
             continue
         left = 0.5**tried  # of the share of the work
         tried += 1
-        refined = planner.closely_along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        try:
+            refined = planner.closely_along(_turned(found, row.q), part(notify, 1 - left, 1 - 0.7 * left))
+        except OutOfTimeError:
+            if best is None:
+                raise
+            break
         if best is not None and best.refined.keeps_speed and not refined.keeps_speed:
             done.append(replace(row, status="left out: the tool does not keep its speed from it"))
             continue
