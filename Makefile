@@ -130,7 +130,6 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/follow_starts.py
 	$(BIN)/python benchmarks/lead_ins.py
 	$(BIN)/python benchmarks/online_global.py
-	$(BIN)/python benchmarks/wide_tolerance.py
 	$(BIN)/python benchmarks/grid_steps.py
 	$(BIN)/python benchmarks/recorded_motions.py
 	$(BIN)/python benchmarks/programs.py
