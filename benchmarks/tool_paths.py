@@ -137,6 +137,19 @@ def is_free(plan: mp.Plan, judge: Judge) -> bool:
     return min(judge.least(each, always) for each in q) > -CONTACT
 
 
+def times_in_order(apart: NDArray[np.float64]) -> NDArray[np.int64]:
+    """For each pose one of the times, none before that of the pose before, with the smallest sum of distances apart (k, t)."""
+    every, least, first = np.arange(apart.shape[1]), np.zeros(apart.shape[1]), []
+    for row in apart:
+        total = row + least
+        least = np.minimum.accumulate(total)
+        first.append(np.maximum.accumulate(np.where(total == least, every, 0)))  # where the least so far is
+    chosen = [int(first[-1][-1])]
+    for until in reversed(first[:-1]):
+        chosen.append(int(until[chosen[-1]]))
+    return np.array(chosen[::-1])
+
+
 def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, float]:
     """The largest distance of the given poses from the motion [m, rad], and joint step from one to the next [rad]."""
     axis = case.task.free_axis
@@ -157,22 +170,13 @@ def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, f
         t = np.linspace(part.begin, part.end, TIMES)
         reached = np.array([pose_at(each) for each in t])
         knots = case.path.knots[(case.path.knots >= part.s_begin - 1e-12) & (case.path.knots <= part.s_end + 1e-12)]
-        before, last = None, 0
-        for pose in case.path(knots):
-            near = np.linalg.norm(reached[last:, :3, 3] - pose[:3, 3], axis=1)
-            turns = (
-                reached[last:, :3, :3] @ axis - pose[:3, :3] @ axis
-                if axis is not None
-                else reached[last:, :3, :3] - pose[:3, :3]
-            )
-            near = near + MET[0] / MET[1] * np.linalg.norm(turns.reshape(len(turns), -1), axis=1)
-            near = near[: max(TIMES // 4, 3 * TIMES // len(knots))]
-            # the first time the tool comes past: a path may come back to a pose
-            rough = int((near <= near.min() + np.abs(np.diff(near)).max(initial=0.0)).argmax())
-            while rough + 1 < len(near) and near[rough + 1] < near[rough]:
-                rough += 1
-            best = last = last + rough
-            beside = np.arange(max(best - BESIDE, 0), min(best + BESIDE + 1, TIMES))
+        poses, before = case.path(knots), None
+        moved = np.linalg.norm(reached[None, :, :3, 3] - poses[:, None, :3, 3], axis=2)
+        turns = (each[..., :3, :3] if axis is None else (each[..., :3, :3] @ axis)[..., None] for each in (reached, poses))
+        there, wanted = (each.reshape(len(each), -1) for each in turns)
+        turned_by = np.array([np.linalg.norm(there - each, axis=1) for each in wanted])
+        for pose, rough in zip(poses, times_in_order(moved + MET[0] / MET[1] * turned_by), strict=True):
+            beside = np.arange(max(rough - BESIDE, 0), min(rough + BESIDE + 1, TIMES))
             best = int(beside[np.argmin([max(np.divide(apart(t[k], pose), MET)) for k in beside])])
             window = t[max(best - 1, 0)], t[min(best + 1, TIMES - 1)]
             found = minimize_scalar(

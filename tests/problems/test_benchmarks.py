@@ -36,6 +36,7 @@ import recorded_motions
 import six_joint_arms
 import threads
 import timed_motions
+import tool_paths
 import two_arms
 import version_01
 from meshes import MeshModel
@@ -498,6 +499,18 @@ def test_a_controller_that_leaves_its_path_or_limits_is_not_counted():
     poses[1, 0, 3] += 2 * online_global.KEPT[0]
     left = online_global.judge(arm, q, poses, s, "path", limits=True)
     assert (left.share, left.whole) == (0.5, False)
+
+
+@pytest.mark.parametrize("slow", [1.0, 40.0])
+def test_the_judge_finds_poses_in_order_on_a_path_that_crosses_itself_however_slow_a_passage_is(slow):
+    """A figure of eight, whose middle pose and ends are in one place; the first loop takes `slow` times as long."""
+    u = np.concatenate([np.linspace(0.0, 0.5, round(100 * slow))[:-1], np.linspace(0.5, 1.0, 100)])
+    at = [np.column_stack([np.sin(4 * np.pi * each), np.sin(2 * np.pi * each)]) for each in (u, np.linspace(0.0, 1.0, 9))]
+    found = tool_paths.times_in_order(np.linalg.norm(at[0][None] - at[1][:, None], axis=2))
+    assert np.abs(u[found] - np.linspace(0.0, 1.0, 9)).max() < 0.01
+    missed = np.delete(at[0], np.flatnonzero(np.abs(u - 0.375) < 0.1), axis=0)  # the tool leaves out a pose
+    left = np.linalg.norm(missed[None] - at[1][:, None], axis=2)
+    assert left[np.arange(9), tool_paths.times_in_order(left)].max() > 0.3
 
 
 def test_both_searches_come_nearer_to_the_continuum_on_finer_grids(panda):
