@@ -213,9 +213,9 @@ def test_an_unreachable_goal_is_told(planar):
     with pytest.raises(
         mp.errors.PlanningError, match=r"proven .* joint1 .* into contact; at the goal link1_0 and shelf"
     ) as caught:
-        mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5))
+        mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=60.0))
     assert caught.value.result.status is mp.Status.NO_PATH
-    failed = mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=0.5), throw=False)
+    failed = mp.plan(planar, start, goal, cage, seeding=mp.Seeding(time_limit=60.0), throw=False)
     assert failed.trajectory is None
     assert not failed.status.has_path
     with pytest.raises(mp.errors.PlanningError, match="no trajectory to save"):

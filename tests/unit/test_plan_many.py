@@ -181,7 +181,7 @@ def hard(planar):
         replace(good, robot=limited, goal=[3.1, 0.0, 0.5], name="outside"),
         replace(good, scene=POST, start=inside, name="in collision"),
         replace(good, robot=limited, start=[3.1, 0.0, 0.5], name="start outside"),
-        replace(good, scene=CAGE, start=[0.5] * 3, goal=[-0.5] * 3, seeding=mp.Seeding(time_limit=0.3), name="caged"),
+        replace(good, scene=CAGE, start=[0.5] * 3, goal=[-0.5] * 3, seeding=mp.Seeding(time_limit=60.0), name="caged"),
         good,
     ]
 
