@@ -53,13 +53,11 @@ def _resolution(planner: ToolPathPlanner, intervals: NDArray[np.int64]) -> str:
     text = [f"positions at most {1e3 * moved:.3g} mm and {np.rad2deg(turned):.3g}° apart"]
     solver, values = layers.sampling.sampler.solver, layers.sampling.values
     bounded = 0 if solver.free.bounds is None else len(solver.free.bounds)
-    slides = {
-        each for each, kind in zip(solver.robot.joint_names, solver.robot.joint_types, strict=True) if kind == "prismatic"
-    }
+    kinds = dict(zip(solver.robot.joint_names, solver.robot.joint_types, strict=True))
     for name, column in zip(solver.names[: len(values.T) - bounded], values.T, strict=False):
         different = np.unique(column)
         if len(different) > 1:
-            unit = "m" if name in slides or name.startswith("shift") else "rad"
+            unit = "m" if kinds.get(name) == "prismatic" or name.startswith("shift") else "rad"
             text.append(f"values of {name} {np.median(np.diff(different)):.3g} {unit} apart, or closer")
     if bounded:
         text.append(f"{len(np.unique(values[:, -bounded:], axis=0))} poses of the region")
