@@ -111,7 +111,7 @@ class Layers:
     """Candidates q[i] (k_i, n) at each of L positions, with their manipulability m[i] (k_i,).
 
     A path takes one candidate of each layer. It is continuous when every joint's step between neighbouring layers is
-    below an ε, and below what `joint_pace` allows; the step of a continuous joint is wrapped to (-π, π].
+    below an ε, and below what `joint_pace` and `pose_step` allow; the step of a continuous joint is wrapped to (-π, π].
 
     Attributes:
         q: configurations of each layer, (k_i, n) float64 [rad or m], contiguous; never copied or changed.
@@ -124,6 +124,8 @@ class Layers:
         sampling: how they were sampled, or None.
         joint_pace: (n,) largest step of each joint per metre of the tool's way between neighbouring layers [rad/m or 1], for
             layers with s and sampling; None: any.
+        pose_step: largest step of a joint from one given pose of the path to the next [rad or m], for the same layers; between
+            layers it is shared by the number of poses from one to the next. None: any.
         turn_middles: (n,) the middle of the limits of each joint of which candidates are listed at all full turns inside these,
             nan for others; None: of no joint. A layer with a single candidate need not be listed so.
     """
@@ -137,6 +139,7 @@ class Layers:
     considered: int = 0
     sampling: "PathSampling | None" = None
     joint_pace: Array | None = None
+    pose_step: float | None = None
     turn_middles: Array | None = None
 
     @classmethod
@@ -218,6 +221,14 @@ class Layers:
         steps = np.linalg.norm(np.diff(self.sampling.path(places)[:, :3, 3], axis=0), axis=1)
         way = np.concatenate([[0.0], np.cumsum(steps)])
         return np.abs(np.diff(way[np.searchsorted(places, s)]))
+
+    @cached_property
+    def poses_passed(self) -> Array:
+        """Number of given poses from each layer to the next (L - 1,), or (L,) where they are closed, with fractions."""
+        assert self.s is not None and self.sampling is not None
+        knots = self.sampling.path.knots
+        s = np.append(self.s, 1.0) if self.closed else self.s
+        return np.abs(np.diff(np.interp(s, knots, np.arange(len(knots)))))
 
     @property
     def nbytes(self) -> int:
@@ -309,7 +320,13 @@ def _extreme(layer: Array, extreme: np.ufunc) -> Array:
 
 
 def step_limits(layers: Layers, epsilon: Array) -> Array:
-    """Bound on the step of each joint from each layer to the next, (L - 1, n), or (L, n) where they are closed."""
-    if layers.joint_pace is None:
-        return np.broadcast_to(epsilon, (len(layers.q) - (not layers.closed), layers.n))
-    return np.minimum(epsilon, layers.ways[:, None] * layers.joint_pace)
+    """Bound on the step of each joint from each layer to the next, (L - 1, n), or (L, n) where they are closed.
+
+    `epsilon` (n,), or one row for each step.
+    """
+    limits = np.broadcast_to(epsilon, (len(layers.q) - (not layers.closed), layers.n))
+    if layers.joint_pace is not None:
+        limits = np.minimum(limits, layers.ways[:, None] * layers.joint_pace)
+    if layers.pose_step is not None:
+        limits = np.minimum(limits, layers.poses_passed[:, None] * layers.pose_step)
+    return limits

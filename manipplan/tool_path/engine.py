@@ -104,6 +104,8 @@ class RefinedToolPath:
 
 #: Largest step of a joint from one given pose to the next on a calm motion [rad or m], as in CppFlow's rule.
 CALM = np.deg2rad(7.0)
+#: Share of it that a search may use, as joints move faster between positions than from one to the next.
+CALM_SHARE = 0.93
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
@@ -235,6 +237,10 @@ class ToolPathPlanner:
             return None
         powers = 2 ** np.arange(len(signs.names))
         return tuple((signs.values(q) >= 0) @ powers for q in self.layers.q)
+
+    def with_pose_step(self, step: float | None) -> "ToolPathPlanner":
+        """The same with steps on which no joint moves more than this from one given pose to the next [rad or m]; None: any."""
+        return replace(self, layers=replace(self.layers, pose_step=step))
 
     def at_any_pace(self) -> "ToolPathPlanner":
         """The same with all steps, also those on which joints are too fast for the tool speed."""

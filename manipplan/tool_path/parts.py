@@ -21,6 +21,7 @@ from manipplan.paths.deviation import deviation_at
 from manipplan.paths.joint import JointPath
 from manipplan.paths.tolerance import Tolerance
 from manipplan.search.interruptions import fewest_interruptions, find_gaps
+from manipplan.search.layers import step_limits
 from manipplan.search.max_min import SearchResult, max_min_search, path_above
 from manipplan.search.sweep import check_epsilon, path_steps
 from manipplan.support.checks import COINCIDENT, Array, ArrayLike
@@ -29,7 +30,7 @@ from manipplan.support.errors import InvalidInputError, OutOfReachError, Plannin
 from manipplan.support.progress import Progress, part, silent
 from manipplan.support.status import Failure, Status
 from manipplan.timing.constant_speed import RAMP, SpeedDemand
-from manipplan.tool_path.engine import CLOSER, RefinedToolPath, ToolPathPlanner
+from manipplan.tool_path.engine import CALM, CALM_SHARE, CLOSER, RefinedToolPath, ToolPathPlanner
 from manipplan.tool_path.entry import choose_entry
 from manipplan.tool_path.transit import Transit, TransitPlanner
 
@@ -163,25 +164,26 @@ def raise_minimum(
     A search in which steps may be longer tells where a better motion needs that. Positions are put there, and beside, where
     such a motion may go as well: first where joints have to be up to twice as fast, then faster. This ends when no motion has
     a minimum larger by GAIN, even with the longest steps that positions can be put between, positions did not raise it, or
-    the time is needed for timing and checks.
+    the time is needed for timing and checks. A calm motion stays calm.
     """
     begun, found = _search_from(planner, epsilon, notify, start)
     if planner.demand is not None or planner.has_several_parameters or not found.connected:
         return planner, (begun, found)
     in_time = until(begun.improving_until(found), part(notify, 0.0, 0.0))
+    step = CALM_SHARE * CALM if begun.is_calm(found) else None
     with suppress(OutOfTimeError):
         while True:
             least = found.minimum + GAIN * abs(found.minimum)
-            needed = _pieces_needed(begun, epsilon, least, in_time)
+            needed = _pieces_needed(begun.with_pose_step(step), epsilon, least, in_time)
             if not (needed > 1).any() or planner.layers.count * needed.mean() > MOST:
                 break
             in_time(0.0, f"positions in {np.count_nonzero(needed > 1)} intervals, where joints have to be faster")
             try:
-                divided = planner.divided(needed, in_time)
+                divided = planner.with_pose_step(step).divided(needed, in_time)
             except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
                 break
             raised, higher = _search_from(divided, epsilon, in_time, start)
-            if higher.minimum <= least or (begun.is_calm(found) and not raised.is_calm(higher)):
+            if higher.minimum <= least:
                 break
             planner, begun, found = divided, raised, higher
     return planner, (begun, found)
@@ -202,7 +204,7 @@ def _pieces_needed(planner: ToolPathPlanner, epsilon: ArrayLike, least: float, n
     for faster in 2 ** np.arange(1, HALVED + 1):
         reach = steps * np.minimum(faster, most)[:, None]
         reach[:, layers.continuous] = np.minimum(reach[:, layers.continuous], LONGEST)
-        q = path_above(layers, reach, least, notify)
+        q = path_above(layers, step_limits(layers, reach), least, notify)
         if q is not None:
             needed = np.abs(path_steps(q, layers.continuous, closed=layers.closed) / steps).max(axis=1)
             pieces = 2 ** (np.floor(np.log2(np.maximum(needed, 0.5))).astype(np.int64) + 1)

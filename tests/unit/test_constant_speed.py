@@ -329,6 +329,15 @@ def test_a_tool_of_a_program_slows_where_it_may(panda):
         mp.MoveAlong(path, slowdown=0.5)
 
 
+def best_of_steps(layers, limits):
+    """The largest minimum manipulability of all paths with steps (k, n) below `limits`, by brute force."""
+    value = layers.m[0]
+    for k in range(1, len(layers.q)):
+        near = (np.abs(layers.q[k][:, None] - layers.q[k - 1]) < limits[k - 1]).all(axis=2)
+        value = np.minimum(layers.m[k], np.where(near, value, -np.inf).max(axis=1))
+    return value.max()
+
+
 def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
     """The best path is that of brute force among the candidates with such steps."""
     layers = mp.sample_layers(panda, line, 6, samples=16)
@@ -336,13 +345,25 @@ def test_layers_with_a_pace_have_only_steps_below_it(panda, line):
     widest = np.abs(np.diff(free.q, axis=0)).max(axis=0)
     slower = replace(layers, joint_pace=np.where(widest == widest.max(), 0.7, 10.0) * widest / (line.length / 5))
     limits = step_limits(slower, np.ones(7))
-    value = layers.m[0]
-    for k in range(1, 6):
-        near = (np.abs(layers.q[k][:, None] - layers.q[k - 1]) < limits[k - 1]).all(axis=2)
-        value = np.minimum(layers.m[k], np.where(near, value, -np.inf).max(axis=1))
     found = mp.max_min_search(slower, 1.0, throw=False)
     assert limits.shape == (5, 7) and (limits < 1).any()
-    assert found.minimum == value.max() <= free.minimum
+    assert found.minimum == best_of_steps(layers, limits) <= free.minimum
+
+
+def test_steps_between_given_poses_are_below_their_limit(panda, line):
+    """Positions at, between and beyond given poses; the best path is that of brute force."""
+    path = mp.CartesianPath.through(line.sample(9))
+    s = np.interp([0, 1, 1.25, 2, 4, 8], np.arange(9), path.knots)
+    layers = mp.sample_layers(panda, path, s, samples=16)
+    free = mp.max_min_search(layers, 1.0)
+    passed = np.array([1, 0.25, 0.75, 2, 4])
+    most = 0.7 * float((np.abs(np.diff(free.q, axis=0)).max(axis=1) / passed).max())
+    calm = replace(layers, pose_step=most)
+    found = mp.max_min_search(calm, 1.0, throw=False)
+    np.testing.assert_allclose(step_limits(calm, np.ones(7)), np.minimum(1.0, most * passed)[:, None] * np.ones(7), rtol=1e-9)
+    assert found.minimum == best_of_steps(layers, step_limits(calm, np.ones(7))) <= free.minimum
+    backwards = replace(calm, q=calm.q[::-1], m=calm.m[::-1], s=calm.s[::-1])
+    assert mp.max_min_search(backwards, 1.0, throw=False).minimum == found.minimum
 
 
 @pytest.mark.parametrize("slowdown", [0.0, 1.0, -0.1, np.nan, "half"])
