@@ -72,7 +72,8 @@ class Result:
         worst: largest distance of a pose [m, rad] and joint step [rad].
         least: minimum manipulability along the path.
         seconds: CPU time.
-        finer: number of parts on the finer grid, 0 where no interruption helps, and minimum manipulability; None: not searched.
+        finer: number of parts on the finer grid, 0 where no interruption helps, minimum manipulability, and that with the joint
+            steps of CppFlow's rule, NaN where these take more parts; None: not searched.
     """
 
     parts: int
@@ -80,7 +81,7 @@ class Result:
     worst: tuple[float, float, float]
     least: float
     seconds: float
-    finer: tuple[int, float] | None
+    finer: tuple[int, float, float] | None
 
 
 def planned(case: Case, interruptions: int) -> tuple[mp.Plan, float]:
@@ -195,8 +196,8 @@ def deviations(case: Case, plan: mp.Plan, judge: Judge) -> tuple[float, float, f
     return far, turned, step
 
 
-def on_finer_grid(case: Case) -> tuple[int, float]:
-    """The fewest parts on the finer grid, 0 where no interruption helps, and the largest minimum manipulability with so few."""
+def on_finer_grid(case: Case) -> tuple[int, float, float]:
+    """What `Result.finer` says."""
     layers = mp.sample_layers(
         case.robot,
         case.path,
@@ -205,8 +206,14 @@ def on_finer_grid(case: Case) -> tuple[int, float]:
         samples=FINER * 720,
         scene=case.scene,
     )
+    (parts, least), (kept_parts, kept_least) = (fewest_parts(layers, each) for each in (EPSILON, STEP))
+    return parts, least, kept_least if kept_parts == parts else np.nan
+
+
+def fewest_parts(layers: mp.Layers, epsilon: float) -> tuple[int, float]:
+    """The fewest parts, 0 where no interruption helps, and the largest minimum manipulability with so few."""
     try:
-        found = mp.fewest_interruptions(layers, EPSILON)
+        found = mp.fewest_interruptions(layers, epsilon)
         return found.parts, found.minimum
     except mp.errors.PlanningError:
         return 0, np.nan
@@ -314,7 +321,8 @@ def line(name: str, results: Sequence[Result]) -> str:
     cut = [each for each in compared if each.finer[0] > 1]
     moved = [each for each in results if each.parts]
     worst = np.max([each.worst for each in moved], axis=0) if moved else np.full(3, np.nan)
-    ratios = sorted(each.least / each.finer[1] for each in compared if each.parts and each.parts == each.finer[0])
+    alike = [each for each in compared if each.parts and each.parts == each.finer[0]]
+    ratios = [np.array([each.least / each.finer[k] for each in alike if np.isfinite(each.finer[k])]) for k in (1, 2)]
     times = [[each.seconds for each in results if (each.parts == 1) is whole] for whole in (True, False)]
     cells = [
         name,
@@ -322,7 +330,7 @@ def line(name: str, results: Sequence[Result]) -> str:
         f"{sum(each.parts == 1 for each in results)}",
         f"{sum(each.parts == 1 for each in connected)} of {len(connected)}",
         f"{sum(0 < each.parts <= each.finer[0] for each in cut)} of {len(cut)}",
-        f"{np.median(ratios):.3f}, {ratios[0]:.3f}" if ratios else "",
+        *(f"{np.median(each):.3f}, {each.min():.3f}" if len(each) else "" for each in ratios),
         f"{sum(each.kept for each in moved)} of {len(moved)}",
         f"{1e3 * worst[0]:.3f} mm, {np.rad2deg(worst[1]):.3f}°, {np.rad2deg(worst[2]):.1f}°",
         *(f"{np.median(each):.1f} s, {np.percentile(each, 95):.1f} s, {max(each):.1f} s" if each else "" for each in times),
@@ -374,6 +382,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "of those that connect on the finer grid",
         "in as few parts as on the finer grid, of the others",
         "minimum m over that of the finer grid: median, least",
+        "over that with joint steps up to 7° there",
         "CppFlow's rule kept",
         "worst pose, and joint step",
         "time without interruption: median, 95 %, largest",
