@@ -180,6 +180,8 @@ JOINT_STEP = 1e-6
 MOST_TURN = 4.0
 #: Rows are made for bodies within this distance of the target: metres per radian of the radius, at least and at most [m].
 NEAR, LEAST_NEAR, MOST_NEAR = 1.0, 2e-3, 0.1
+#: Bodies are first sought this much farther than the last row of the path before was, with which there were enough.
+WIDER = 1.2
 #: Maximum number of places of a rejected path whose planes become rows, the nearest first.
 MOST_REJECTED = 10
 #: Tolerance by which a row may be stricter than the true distance [m].
@@ -203,6 +205,7 @@ class ClearanceSearch:
     clearance: float
     margin: float = MARGIN
     always: list[Place] = field(default_factory=list)
+    _reached: float = field(default=np.inf, init=False)
 
     @cached_property
     def _search(self) -> DistanceSearch:
@@ -220,15 +223,13 @@ class ClearanceSearch:
         meet another one.
         """
         band = min(max(NEAR * radius, LEAST_NEAR), MOST_NEAR)
-        samples = self._search.find_near(curve, self.target, band, self.always)
-        bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
-        if len(bottoms) and len(bottoms) < MOST_PLACES:
-            along = 2 * samples.pairs + samples.s  # by pair, then place
-            ordered = np.sort(along[bottoms])
-            after = np.searchsorted(ordered, along[others])
-            gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
-            others = others[np.minimum(*gaps) >= PAIR_APART]
-        chosen = np.concatenate([bottoms, others])[:MOST_PLACES]
+        narrower = min(band, max(WIDER * self._reached, LEAST_NEAR))
+        samples = self._search.find_near(curve, self.target, narrower, self.always)
+        chosen = _nearest_places(samples)
+        if len(chosen) < MOST_PLACES and narrower < band:
+            samples = self._search.find_near(curve, self.target, band, self.always)
+            chosen = _nearest_places(samples)
+        self._reached = samples.distances[chosen].max() - self.target if len(chosen) == MOST_PLACES else np.inf
         return DistanceRows(
             curves=curves,
             z=z,
@@ -241,6 +242,18 @@ class ClearanceSearch:
             leaves=samples.leaves[chosen],
             radius=radius,
         )
+
+
+def _nearest_places(samples: ProximitySamples) -> NDArray[np.intp]:
+    """Indices of the samples with rows: the bottoms of dips first, then the nearest places that are not beside one."""
+    bottoms, others = np.flatnonzero(samples.is_bottom), np.flatnonzero(~samples.is_bottom)
+    if len(bottoms) and len(bottoms) < MOST_PLACES:
+        along = 2 * samples.pairs + samples.s  # by pair, then place
+        ordered = np.sort(along[bottoms])
+        after = np.searchsorted(ordered, along[others])
+        gaps = [np.abs(ordered[np.clip(after - k, 0, len(ordered) - 1)] - along[others]) for k in (0, 1)]
+        others = others[np.minimum(*gaps) >= PAIR_APART]
+    return np.concatenate([bottoms, others])[:MOST_PLACES]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

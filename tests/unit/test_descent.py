@@ -59,6 +59,31 @@ def test_derivatives_of_g_are_exact(around_a_post):
 
 
 @pytest.mark.slow
+def test_rows_do_not_depend_on_the_paths_before(around_a_post, panda):
+    """Bodies are sought nearer where the path before had enough rows: the rows are those of the widest search."""
+    _, true, z = around_a_post
+    crowd = [mp.Sphere(radius=0.03, position=(0.5, y, 0.2), name=f"ball {k}") for k, y in enumerate(np.linspace(-0.5, 0.5, 30))]
+    model, functions = mp.Scene([POST, *crowd]).collision_model(panda), true.clearance.functions
+    before, curves = ClearanceSearch(model=model, functions=functions, clearance=CLEARANCE), true.length.curves
+    bands, search = list[float](), before._search.find_near
+
+    def noted(curve, target, band, known):
+        bands.append(band)
+        return search(curve, target, band, known)
+
+    before._search.find_near = noted
+    rng = np.random.default_rng(0)
+    for size in (0.0, 1e-3, 1e-2, 0.1, 0.3, 0.5, 1e-3):
+        at = z + size * rng.normal(size=z.shape)
+        alone = ClearanceSearch(model=model, functions=functions, clearance=CLEARANCE)
+        found, wanted = (each.at(curves, at, curves.curve(at), 0.1) for each in (before, alone))
+        np.testing.assert_array_equal(found.pairs, wanted.pairs)
+        np.testing.assert_allclose(found.s, wanted.s, rtol=0, atol=1e-5)
+        np.testing.assert_allclose(found.value, wanted.value, rtol=0, atol=1e-8)
+    assert len(bands) > 7 and min(bands) < 0.05 and max(bands) == 0.1  # narrower ones, and again where these were too narrow
+
+
+@pytest.mark.slow
 def test_rows_have_value_gradient_and_curvature_of_the_least_distance(around_a_post):
     """Also as the place of least distance moves along the path."""
     _, true, z = around_a_post
