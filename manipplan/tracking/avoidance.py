@@ -134,11 +134,14 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
 def set_moving(avoidance: Avoidance | None, obstacles: Mapping[str, tuple[Any, ArrayLike]], numbers: Array) -> None:
     """Write the poses (4, 4) or SE3 and velocities (6,), linear first, of moving obstacles to their OBSTACLE_SIZE numbers each.
 
+    Those that are not named rest at their last pose.
+
     Raises InvalidInputError for an unknown name or a wrong shape; values may be NaN.
     """
     moving = tuple(avoidance.moving) if avoidance is not None else ()
     if not isinstance(obstacles, Mapping):
         raise InvalidInputError("obstacles", obstacles, "a mapping of names to pairs of a pose (4, 4) and a velocity (6,)")
+    numbers.reshape(-1, OBSTACLE_SIZE)[:, 12:] = 0.0
     for name, given in obstacles.items():
         at = OBSTACLE_SIZE * moving.index(one_of("obstacles", name, moving))
         try:
