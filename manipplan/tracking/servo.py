@@ -464,7 +464,7 @@ def _problem_of(
     """The Function from INPUTS to OUTPUTS, and the names of the pairs of its rows."""
     n = chain.q.shape[0]
     qd, qdd, step = ca.SX.sym("qd", n), ca.SX.sym("qdd", n), ca.SX.sym("dt")
-    rows = avoidance_rows(robot, chain, avoidance) if avoidance else None
+    rows = avoidance_rows(robot, chain, avoidance, brakes_in_time=True) if avoidance else None
     slowest = LONGEST_STEP * dt
     usable = ca.logic_and(step > 0, step <= slowest * (1 + 1e-9))
     low, high = velocity_bounds(chain.q, qd, qdd, robot.limits, dt, step=ca.if_else(usable, step, dt))

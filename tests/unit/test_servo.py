@@ -383,7 +383,7 @@ def test_the_law_is_continuous_where_singular_values_become_small(name, sigma, s
     for q in either_side(robot, sigma, rng):
         servo.reset()
         rates.append(servo.step(q, np.zeros(robot.n), twist, "world"))
-    assert np.allclose(*rates, rtol=0, atol=1e-3)
+    assert np.allclose(*rates, rtol=0, atol=5e-3)
 
 
 @pytest.mark.parametrize(
@@ -538,6 +538,30 @@ def test_joints_without_a_velocity_limit(name, changes, seeds):
             assert np.isfinite(qd).all()
             assert servo.status is ServoStatus.FOLLOWING
             q = q + servo.dt * qd
+
+
+@pytest.mark.parametrize("is_jog", [True, False])
+def test_a_fast_arm_brakes_before_an_obstacle(is_jog):
+    """A stretched UR5 that turns about its base at full speed: from 0.1 m on it could not stop before the ball."""
+    robot, q, qd = mp.load_robot("ur5"), np.array([0.0, -0.6, 0.8, -0.2, 1.2, 0.0]), np.zeros(6)
+    data, frame, least = robot.model.createData(), robot.model.getFrameId(robot.tool), np.inf
+
+    def tool(at):
+        pin.framesForwardKinematics(robot.model, data, at)
+        return data.oMf[frame].translation.copy()
+
+    ball = mp.Sphere(radius=0.1, position=tool(q + np.array([1.6, 0, 0, 0, 0, 0])), name="ball")
+    servo = Servo(robot, dt=DT, avoidance=mp.Avoidance(scene=mp.Scene([ball]), itself=False), compiled=False)
+    for _ in range(round(2.0 / DT)):
+        if is_jog:
+            qd = servo.step_joints(q, qd, [3.1, 0, 0, 0, 0, 0])
+        else:
+            x, y, _ = tool(q)
+            around = 2.0 / np.hypot(x, y)
+            qd = servo.step(q, qd, [-around * y, around * x, 0, 0, 0, around], "world")
+        q = q + DT * qd
+        least = min(least, servo.gauge.clearance, float(np.linalg.norm(tool(q) - ball.pose.translation)) - 0.1)
+    assert 0.019 < least < 0.09
 
 
 @pytest.mark.parametrize("seed", [22801, 27737, 28999])
