@@ -58,6 +58,8 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define FAINT 0.01       /* share of the command that is lost below which a way out fades */
 #define BACKWARD 0.01    /* share of the command by which the way out of a pole, and the guard of a fold, may move the tool backward */
 #define ALONG 0.05       /* motion of the tool with the joints from which on it is kept from moving backward [m/rad] */
+#define TURNING 3.0      /* speed of that turn where no joint in it has a velocity limit [rad/s] */
+#define SETTLED 60       /* iterations of (1) after which what is left may be rounding of large multipliers */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
 #define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
@@ -725,6 +727,7 @@ static void escape(const Servo *servo, Work *w) {
         toward += way[i] * (w->has_way ? w->way[i] : servo->qd[w->joint[i]]);
     }
     double turn = toward >= 0 ? 1 : -1, fastest = 0.75 * along(w, way, servo->velocity);
+    if (isinf(fastest)) fastest = TURNING;
     for (long a = 0; a < w->r - first; a++) back -= turn * part[a] * vector[0][a] * w->s[first + a] * w->b[first + a];
     if (back > 0) fastest = least(fastest, BACKWARD * w->size * w->size / back);
     double share = faint * (gone / w->size - 0.7) / 0.3 * least(spin / SPUN - 1, 1) * clip((BENT - sharpest) / (BENT - STRAIGHT), 0, 1);
@@ -751,7 +754,7 @@ static int nearest_point(const Servo *servo, const Work *w, double *x, double *f
         }
         /* the constraint that is violated most, each scaled to its own speed */
         long worst = -1;
-        double excess = 1e-10;
+        double excess = iteration < SETTLED ? 1e-10 : 1e-7;
         for (long c = 0; c < count; c++) {
             double over, row_c[MOST], bound;
             if (c < n) over = x[c] - w->high[c];
@@ -841,7 +844,7 @@ static int nearest_point(const Servo *servo, const Work *w, double *x, double *f
 /* Where x (n) moves the tool backward, as where one joint brakes at its limit and others cannot as fast: move it within the bounds by the
    least multiple of f = Jᵀ V / |V| that ends this. Rows of folds and obstacles come first. It fades where |f| falls to LOST. */
 static void keep_forward(const Servo *servo, const Work *w, double *x) {
-    double f[MOST], moved[MOST], row[MOST], begin = 0, end = 0;
+    double f[MOST], moved[MOST], row[MOST], begin = 0, end = 0, alone = INFINITY;
     if (!(w->size > 1e-9)) return;
     for (long i = 0; i < w->n; i++) {
         f[i] = 0;
@@ -849,8 +852,13 @@ static void keep_forward(const Servo *servo, const Work *w, double *x) {
     }
     double rate = dot(w->n, f, x), wanted = rate * clip((ALONG - sqrt(dot(w->n, f, f))) / (ALONG - LOST), 0, 1);
     if (!(rate < wanted)) return;
-    for (long i = 0; i < w->n; i++) /* the multiple at which all joints are at their bounds */
-        if (fabs(f[i]) > 1e-9) end = most(end, ((f[i] > 0 ? w->high[i] : w->low[i]) - x[i]) / f[i]);
+    for (long i = 0; i < w->n; i++) /* the multiple at which all joints are at their bounds, or a joint without bounds is enough */
+        if (fabs(f[i]) > 1e-9) {
+            double far = ((f[i] > 0 ? w->high[i] : w->low[i]) - x[i]) / f[i];
+            if (isinf(far)) alone = least(alone, (wanted - rate) / (f[i] * f[i]));
+            else end = most(end, far);
+        }
+    if (!isinf(alone)) end = alone;
     for (int halving = 0; halving < 50; halving++) {
         double t = halving ? (begin + end) / 2 : end;
         for (long i = 0; i < w->n; i++) moved[i] = clip(x[i] + t * f[i], w->low[i], w->high[i]);
@@ -1021,7 +1029,7 @@ static int follow_twist(Servo *servo, double *velocity) {
         servo->kind = POLE;
         if (approach > 1e-9) servo->seconds = servo->smallest / approach;
     }
-    servo->metres = servo->seconds * sqrt(dot(3, servo->twist, servo->twist));
+    servo->metres = isinf(servo->seconds) ? INFINITY : servo->seconds * sqrt(dot(3, servo->twist, servo->twist));
     if (servo->kind != CLEAR) {
         double largest = 0;
         for (long i = 0; i < w->n; i++)
@@ -1127,11 +1135,12 @@ static int toward_pose(const Servo *servo, double *twist) {
 static long read_command(Servo *servo) {
     double T = duration(servo), share = servo->smoothing > 0 ? 1 - exp(-T / servo->smoothing) : 1;
     servo->age = servo->fresh ? 0 : servo->age + T;
+    if (servo->mode == TWIST && servo->frame == OTHER_AXES && !is_rotation(servo->axes, 3)) return BAD_COMMAND;
     if (servo->fresh && servo->mode == POSE) {
         if (!toward_pose(servo, servo->held)) return BAD_COMMAND;
     } else if (servo->fresh) {
         const double *axes = servo->frame == TOOL ? servo->rotation : servo->axes; /* both stored by columns */
-        if (!all_finite(6, servo->command) || (servo->frame == OTHER_AXES && !is_rotation(servo->axes, 3))) return BAD_COMMAND;
+        if (!all_finite(6, servo->command)) return BAD_COMMAND;
         for (int half = 0; half < 6; half += 3)
             for (int a = 0; a < 3; a++) {
                 servo->held[half + a] = servo->command[half + a];
@@ -1171,12 +1180,16 @@ void manipplan_servo(Servo *servo) {
     else if (servo->mode == BRAKE) forget(servo);
     else if (servo->mode == JOINTS) {
         servo->placed = 0;
+        memset(servo->held, 0, sizeof servo->held); /* a jog ends a stream of twists */
+        memset(servo->filtered, 0, sizeof servo->filtered);
         if (!sound || !all_finite(joints, servo->command)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {
         servo->status = sound ? read_command(servo) : BAD_COMMAND;
         if (servo->status == FOLLOWING && !follow_twist(servo, velocity)) servo->status = NOT_SOLVED;
     }
+    for (long j = 0; j < joints; j++)
+        if (isnan(velocity[j]) || isinf(velocity[j])) servo->status = NOT_SOLVED;
     if (servo->status != FOLLOWING) { /* braking: the velocity nearest to zero within the bounds */
         if (servo->status != NOT_SOLVED) forget(servo);
         memset(velocity, 0, sizeof velocity);

@@ -11,6 +11,7 @@ from manipplan.collision import shapes
 from manipplan.collision.build import check_names
 from manipplan.collision.scene import Scene
 from manipplan.collision.shapes import Obstacle
+from manipplan.robots.limits import JointLimits
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import Array, ArrayLike, array_of_shape, flag, instance, number, one_of, texts
 from manipplan.support.display import one_line
@@ -29,6 +30,8 @@ from manipplan.tracking.bounds import nearest_rotation
 
 #: Number of values per moving obstacle: rotation (9, column by column), position (3), linear and angular velocity (3 each).
 OBSTACLE_SIZE = 18
+#: Share of the joints' acceleration limits with which bodies can be braked: not all joints help, and normals turn on the way.
+BRAKING = 0.5
 
 
 @one_line
@@ -36,7 +39,8 @@ OBSTACLE_SIZE = 18
 class Avoidance:
     """Obstacles and links that a controller keeps apart, and its distances.
 
-    Two bodies closer than `influence` may approach at no more than ξ (d - d_s)/(d_i - d_s). Links are modelled as capsules
+    Two bodies closer than `influence` may approach at no more than ξ (d - d_s)/(d_i - d_s). A servo also keeps bodies at any
+    distance slow enough that it can stop them in time. Links are modelled as capsules
     that contain them; pairs of the robot's own links for which capsules are too coarse are left out (`Controller.unguarded`
     names them). Each pair costs 0.1 µs per step, and time to compile: name the links that matter.
 
@@ -77,7 +81,7 @@ class AvoidanceRows:
     """Rows a_k q̇ >= b_k: symbolic (k, n) and (k, 1), the distances d_k (k, 1) [m], and their pairs of bodies.
 
     Attributes:
-        matrix, bound, distance: as above; b is -inf beyond the distance of influence.
+        matrix, bound, distance: as above; b is -inf beyond the distance of influence where braking in time is not asked for.
         obstacles: symbols of the moving obstacles, OBSTACLE_SIZE numbers each.
         names: pairs of names.
     """
@@ -89,8 +93,10 @@ class AvoidanceRows:
     names: tuple[tuple[str, str], ...]
 
 
-def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> AvoidanceRows:
+def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance, *, brakes_in_time: bool = False) -> AvoidanceRows:
     """The rows of a robot at the symbolic configuration of `chain`.
+
+    With `brakes_in_time` bodies never approach faster than the acceleration limits allow them to stop, at any distance.
 
     Raises InvalidInputError for a robot without collision geometry, UnknownNameError for an unknown link or an unknown name in
     an allowed pair.
@@ -99,7 +105,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
     bodies = CapsuleBodies.of(robot)
     guarded = _find_guarded(robot, bodies, avoidance)
     symbols = ca.SX.sym("obstacles", OBSTACLE_SIZE * len(avoidance.moving))
-    lines = _lines(chain)
+    lines, limits = _lines(chain), robot.limits if brakes_in_time else None
     rows: list[tuple[ca.SX, ca.SX, ca.SX]] = []
     names: list[tuple[str, str]] = []
     for name, obstacle in zip(avoidance.scene.names, avoidance.scene.obstacles, strict=True):
@@ -110,7 +116,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
                 continue
             near = nearest(_capsule(chain, body), _shape(obstacle, placement))
             approach = ca.dot(near.normal, _velocity_at(motion, near.second)) if motion else ca.SX(0)
-            rows.append(_row(avoidance, near, _rate(chain, lines, body.joint, near.first, near.normal), approach))
+            rows.append(_row(avoidance, near, _rate(chain, lines, body.joint, near.first, near.normal), approach, limits))
             names.append((body.name, name))
     if avoidance.itself:
         for i, j in bodies.pairs:
@@ -121,7 +127,7 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
             near = nearest(_capsule(chain, first), _capsule(chain, second))
             rate = _rate(chain, lines, first.joint, near.first, near.normal)
             rate -= _rate(chain, lines, second.joint, near.second, near.normal)
-            rows.append(_row(avoidance, near, rate, ca.SX(0)))
+            rows.append(_row(avoidance, near, rate, ca.SX(0), limits))
             names.append((first.name, second.name))
     if not rows:
         raise InvalidInputError(
@@ -134,11 +140,14 @@ def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance) -> 
 def set_moving(avoidance: Avoidance | None, obstacles: Mapping[str, tuple[Any, ArrayLike]], numbers: Array) -> None:
     """Write the poses (4, 4) or SE3 and velocities (6,), linear first, of moving obstacles to their OBSTACLE_SIZE numbers each.
 
+    Those that are not named rest at their last pose.
+
     Raises InvalidInputError for an unknown name or a wrong shape; values may be NaN.
     """
     moving = tuple(avoidance.moving) if avoidance is not None else ()
     if not isinstance(obstacles, Mapping):
         raise InvalidInputError("obstacles", obstacles, "a mapping of names to pairs of a pose (4, 4) and a velocity (6,)")
+    numbers.reshape(-1, OBSTACLE_SIZE)[:, 12:] = 0.0
     for name, given in obstacles.items():
         at = OBSTACLE_SIZE * moving.index(one_of("obstacles", name, moving))
         try:
@@ -150,11 +159,22 @@ def set_moving(avoidance: Avoidance | None, obstacles: Mapping[str, tuple[Any, A
         numbers[at : at + OBSTACLE_SIZE] = np.concatenate([matrix[:3, :3].ravel(order="F"), matrix[:3, 3], speed])
 
 
-def _row(avoidance: Avoidance, near: NearestPoints, rate: ca.SX, approach: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """(A.1) with n from the obstacle to the robot: nᵀ (J q̇ - v) >= - ξ (d - d_s) / (d_i - d_s) where d <= d_i."""
-    share = (near.distance - avoidance.security) / (avoidance.influence - avoidance.security)
-    bound = approach - avoidance.damping * share
-    return rate, ca.if_else(near.distance <= avoidance.influence, bound, -ca.inf), near.distance
+def _row(
+    avoidance: Avoidance, near: NearestPoints, rate: ca.SX, approach: ca.SX, limits: JointLimits | None
+) -> tuple[ca.SX, ca.SX, ca.SX]:
+    """(A.1) with n from the obstacle to the robot: nᵀ (J q̇ - v) >= - ξ (d - d_s) / (d_i - d_s) where d <= d_i.
+
+    With `limits` the right side is at least -√(2 a (d - d_s)), and at least -√(ξ² + 2 a (d - d_i)) beyond d_i: from there the
+    joints can brake in time, with a = BRAKING Σ_i |nᵀ J_i| A_i of their acceleration limits A_i.
+    """
+    room, damping = near.distance - avoidance.security, avoidance.damping
+    fastest, far = damping * room / (avoidance.influence - avoidance.security), ca.SX(ca.inf)
+    if limits is not None and np.isfinite(limits.acceleration).all():
+        braking = BRAKING * ca.fabs(rate) @ ca.DM(limits.acceleration)
+        fastest = ca.fmin(fastest, ca.sqrt(ca.fmax(2 * braking * room, 0)))
+        beyond = ca.fmin(2 * braking * room, damping**2 + 2 * braking * (near.distance - avoidance.influence))
+        far = ca.sqrt(ca.fmax(beyond, 0))
+    return rate, approach - ca.if_else(near.distance <= avoidance.influence, fastest, far), near.distance
 
 
 def _lines(chain: SymbolicChain) -> ca.SX:

@@ -254,8 +254,8 @@ class Controller:
             self._take(q, qd, target, self.stiffness if stiffness is None else stiffness, drive)
         if tolerance is not None or self._tolerance_changed:
             self._set_tolerance(tolerance)
-        if obstacles is not None:
-            self._set_obstacles(obstacles)
+        if obstacles is not None or self._obstacles.size:
+            self._set_obstacles({} if obstacles is None else obstacles)
         if qdd is not None:
             self._acceleration[:] = array_of_shape("qdd", qdd, (self.robot.n,))
         self._run()
@@ -313,6 +313,7 @@ class Controller:
         reports = np.zeros((count, len(REPORT)))
         self.reset()
         self._set_tolerance(tolerance)
+        self._set_obstacles({})
         if self._machine is not None:
             tubes, around = np.tile(self._tube, (count, 1)), np.tile(self._obstacles, (count, 1))
             self._machine.rollout([poses, stiff, drives, tubes, around], path, speed, np.zeros(n), reports)

@@ -393,8 +393,8 @@ class Servo:
     def _step(self, q: ArrayLike, qd: ArrayLike, obstacles: Any, dt: float | None) -> Array:
         self._put("q", self._q, q)
         self._put("qd", self._qd, qd)
-        if obstacles is not None:
-            set_moving(self._avoidance, obstacles, self._obstacles)
+        if obstacles is not None or self._obstacles.size:
+            set_moving(self._avoidance, {} if obstacles is None else obstacles, self._obstacles)
         self.law.dt = self.dt if dt is None else float(array_of_shape("dt", dt, ()))
         if self._library is None:
             self._evaluate()
@@ -405,6 +405,7 @@ class Servo:
     def _choose_axes(self, frame: str | ArrayLike, free: Collection[str] | None) -> None:
         """Set the axes of twists, and the rows that are followed."""
         s = self.law
+        unfollowed = None if free is None else _directions(free)
         if isinstance(frame, str):
             s.frame = {"world": _WORLD, "tool": _TOOL, "base": _OTHER_AXES}[one_of("frame", frame, FRAMES)]
             axes = self.robot.base[:3, :3]
@@ -412,8 +413,8 @@ class Servo:
             s.frame, axes = _OTHER_AXES, array_of_shape("frame", frame, (3, 3))
         self._axes[:] = axes.ravel(order="F")
         world, tool = self.task.matrices
-        if free is not None:
-            rows = np.diag([1.0] * 3 + [self.task.length] * 3)[[name not in _directions(free) for name in DIRECTIONS]]
+        if unfollowed is not None:
+            rows = np.diag([1.0] * 3 + [self.task.length] * 3)[[name not in unfollowed for name in DIRECTIONS]]
             turned = np.kron(np.eye(2), np.eye(3) if s.frame == _WORLD else axes.T)
             world, tool = (np.empty((0, 6)), rows) if s.frame == _TOOL else (rows @ turned, np.empty((0, 6)))
         selection = np.concatenate([world, tool])
@@ -463,7 +464,7 @@ def _problem_of(
     """The Function from INPUTS to OUTPUTS, and the names of the pairs of its rows."""
     n = chain.q.shape[0]
     qd, qdd, step = ca.SX.sym("qd", n), ca.SX.sym("qdd", n), ca.SX.sym("dt")
-    rows = avoidance_rows(robot, chain, avoidance) if avoidance else None
+    rows = avoidance_rows(robot, chain, avoidance, brakes_in_time=True) if avoidance else None
     slowest = LONGEST_STEP * dt
     usable = ca.logic_and(step > 0, step <= slowest * (1 + 1e-9))
     low, high = velocity_bounds(chain.q, qd, qdd, robot.limits, dt, step=ca.if_else(usable, step, dt))

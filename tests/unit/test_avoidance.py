@@ -144,12 +144,13 @@ def test_a_moving_obstacle_rests_where_it_was_last(arm):
     _, rest, first = rows(controller, np.zeros(3))
     pose = pin.SE3(np.eye(3), np.array([0.9, 0.4, 0.0]))
     _, coming, _ = rows(controller, np.zeros(3), {"ball": (pose, [0.0, -1.0, 0.0, 0.0, 0.0, 0.0])})
-    _, _, later = rows(controller, np.zeros(3))
+    _, left, later = rows(controller, np.zeros(3))
     assert first == pytest.approx(0.2 - 0.08)
     assert later == pytest.approx(0.4 - 0.08)
     share = (np.array([0.12, 0.32]) - 0.02) / 2.98
     assert rest[2] == pytest.approx(-0.5 * share[0])
     assert coming[2] == pytest.approx(1.0 - 0.5 * share[1])
+    assert left[2] == pytest.approx(-0.5 * share[1])
 
 
 # ---- motion

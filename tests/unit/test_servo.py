@@ -383,7 +383,7 @@ def test_the_law_is_continuous_where_singular_values_become_small(name, sigma, s
     for q in either_side(robot, sigma, rng):
         servo.reset()
         rates.append(servo.step(q, np.zeros(robot.n), twist, "world"))
-    assert np.allclose(*rates, rtol=0, atol=1e-3)
+    assert np.allclose(*rates, rtol=0, atol=5e-3)
 
 
 @pytest.mark.parametrize(
@@ -487,6 +487,98 @@ def test_axes_that_are_no_rotation_brake(servos, axes, free):
     assert np.allclose(braked, np.maximum(qd - servo.robot.limits.acceleration * DT, 0.0))
     servo.step(q, qd, np.full(6, 0.01), "tool")
     assert servo.status is ServoStatus.FOLLOWING
+
+
+@pytest.mark.parametrize("free", [None, ("x",)])
+def test_axes_that_are_no_rotation_brake_without_a_new_twist(servos, free):
+    servo = servos("ur5")
+    q, qd = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.zeros(6)
+    for _ in range(20):
+        qd = servo.step(q, qd, np.full(6, 0.01), "world")
+    braked = servo.step(q, qd, None, np.full((3, 3), np.nan), free=free)
+    assert servo.status is ServoStatus.BAD_COMMAND
+    assert np.isfinite(braked).all()
+
+
+def test_a_refused_call_does_not_change_the_axes(servos):
+    servo = servos("ur5")
+    q, twist = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.array([0.001, 0, 0, 0, 0, 0])
+    usual = servo.step(q, np.zeros(6), twist, "world")
+    with pytest.raises(mp.errors.InvalidInputError, match="free"):
+        servo.step(q, np.zeros(6), twist, "tool", free=("w",))
+    servo.reset()
+    assert (servo.step(q, np.zeros(6), twist, "world") == usual).all()
+
+
+def test_a_jog_ends_a_stream_of_twists(servos):
+    servo = servos("ur5")
+    q = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3])
+    servo.step(q, np.zeros(6), np.array([0.1, 0, 0, 0, 0, 0]), "world")
+    servo.step_joints(q, np.zeros(6), np.zeros(6))
+    assert not servo.step(q, np.zeros(6), None, "world").any()
+
+
+@pytest.mark.parametrize(
+    ("name", "changes", "seeds"), [("bravo7_gripper", {}, [25]), ("ur5", {"velocity": np.inf, "acceleration": 10.0}, [55, 30])]
+)
+def test_joints_without_a_velocity_limit(name, changes, seeds):
+    """Near singular postures, where their ways out were infinitely fast."""
+    robot = mp.load_robot(name)
+    robot = robot.with_limits(**changes) if changes else robot
+    servo, limits = Servo(robot, dt=0.001, compiled=False), robot.limits
+    low, high = np.where(np.isfinite([limits.lower, limits.upper]), [limits.lower, limits.upper], [[-3.0], [3.0]])
+    for seed in seeds:
+        rng = np.random.default_rng(seed)
+        servo.reset()
+        q, qd = low + rng.random(6) * (high - low), np.zeros(6)
+        q[2] = np.clip(0.0, low[2], high[2]) if seed % 2 else q[2]
+        twist = 0.2 * rng.normal(size=6)
+        for _ in range(200):
+            qd = servo.step(q, qd, twist, "world")
+            assert np.isfinite(qd).all()
+            assert servo.status is ServoStatus.FOLLOWING
+            q = q + servo.dt * qd
+
+
+@pytest.mark.parametrize("is_jog", [True, False])
+def test_a_fast_arm_brakes_before_an_obstacle(is_jog):
+    """A stretched UR5 that turns about its base at full speed: from 0.1 m on it could not stop before the ball."""
+    robot, q, qd = mp.load_robot("ur5"), np.array([0.0, -0.6, 0.8, -0.2, 1.2, 0.0]), np.zeros(6)
+    data, frame, least = robot.model.createData(), robot.model.getFrameId(robot.tool), np.inf
+
+    def tool(at):
+        pin.framesForwardKinematics(robot.model, data, at)
+        return data.oMf[frame].translation.copy()
+
+    ball = mp.Sphere(radius=0.1, position=tool(q + np.array([1.6, 0, 0, 0, 0, 0])), name="ball")
+    servo = Servo(robot, dt=DT, avoidance=mp.Avoidance(scene=mp.Scene([ball]), itself=False), compiled=False)
+    for _ in range(round(2.0 / DT)):
+        if is_jog:
+            qd = servo.step_joints(q, qd, [3.1, 0, 0, 0, 0, 0])
+        else:
+            x, y, _ = tool(q)
+            around = 2.0 / np.hypot(x, y)
+            qd = servo.step(q, qd, [-around * y, around * x, 0, 0, 0, around], "world")
+        q = q + DT * qd
+        least = min(least, servo.gauge.clearance, float(np.linalg.norm(tool(q) - ball.pose.translation)) - 0.1)
+    assert 0.019 < least < 0.09
+
+
+@pytest.mark.parametrize("seed", [22801, 27737, 28999])
+def test_rounding_of_large_multipliers_is_no_failure(servos, seed):
+    servo, rng = servos("panda"), np.random.default_rng(seed)
+    limits = servo.robot.limits
+    q, qd = rng.uniform(limits.lower, limits.upper), rng.uniform(-1, 1, 7) * limits.velocity
+    servo.step(q, qd, 10 * rng.normal(size=6), "world", dt=5 * DT)
+    assert servo.status is ServoStatus.FOLLOWING
+
+
+def test_without_a_singularity_ahead_it_is_infinitely_far(servos):
+    servo = servos("ur5")
+    q = np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3])
+    for twist in (np.zeros(6), np.array([0, 0, 0, 0.01, 0, 0])):
+        servo.step(q, np.zeros(6), twist, "world")
+        assert servo.gauge.seconds == servo.gauge.metres == np.inf
 
 
 def test_wrong_states_and_time_steps(servos):
@@ -601,6 +693,24 @@ def test_obstacles_are_kept_at_a_distance():
         assert servo.gauge.clearance > 0.015
     servo.step(q, qd, twist, "world", obstacles={"ball": (pose, np.full(6, np.nan))})
     assert servo.status is ServoStatus.BAD_COMMAND
+
+
+def test_an_obstacle_that_is_not_given_rests():
+    """One that was on its way out of the arm's way, too."""
+    robot = robot_without_jerk("ur5")
+    q, qd = np.array([0.0, -1.6, 2.0, -2.0, -1.57, 0.3]), np.zeros(6)
+    pose = np.eye(4)
+    pose[:3, 3] = kinematics(robot, q)[0].translation + [0.0, 0.35, 0.0]
+    ball = mp.Sphere(radius=0.05, position=pose[:3, 3], name="ball")
+    avoidance = mp.Avoidance(scene=mp.Scene([ball]), moving=("ball",), itself=False)
+    servo, clearances = Servo(robot, dt=DT, avoidance=avoidance, compiled=False), []
+    for k in range(1500):
+        obstacles = {"ball": (pose, [0.0, 0.5, 0.0, 0.0, 0.0, 0.0])} if k == 0 else None
+        qd = servo.step(q, qd, np.array([0.0, 0.2, 0.0, 0.0, 0.0, 0.0]), "world", obstacles=obstacles)
+        q = q + DT * qd
+        clearances.append(servo.gauge.clearance)
+    assert min(clearances) > 0.019
+    assert (servo.obstacles[12:] == 0).all()
 
 
 @pytest.mark.slow

@@ -57,8 +57,10 @@ class ServoStep:
     def __call__(self, action, observation):
         """``<motor>.pos`` [deg] for the next frame."""
         measured = np.radians([observation[f"{name}.pos"] for name in self.names])
-        if self.q is None:
+        if self.q is None or not np.isfinite(self.q).all():
             self.q, self.qd = measured, np.zeros(len(measured))
+        # a reading that is not a number: where the motor was sent
+        measured = np.where(np.isfinite(measured), measured, self.q)
         self.q = measured + np.clip(self.q - measured, -self.LEASH, self.LEASH)
         twist = np.zeros(6)
         twist[:3] = [self.speed * float(action[f"delta_{axis}"]) for axis in "xyz"]
