@@ -305,6 +305,8 @@ class PoseRows:
 #: and maximum number of knot insertions.
 POINTS_BETWEEN_KNOTS = 5
 DOUBLINGS = 6
+#: Distance beyond a position limit that is rounding, a share of what the check of a motion allows [rad or m].
+BEYOND = 1e-9
 #: Shares of the tube's width that are tried where all of it does not help.
 NARROWER = (0.6, 0.3, 0.0)
 
@@ -365,16 +367,29 @@ def _with_knots(
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
         between = s[:-1, None] + np.diff(s)[:, None] * shares
         errors = rows.errors(joints(between.ravel()), path(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
-        outside = solver.robot.limits.outside(joints(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1) > 0
-        wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside.any(axis=(1, 2)))
+        outside = (solver.robot.limits.outside(_extremes(joints, s)) > BEYOND).any(axis=(1, 2))
+        wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside)
         middle = (s[wide] + s[wide + 1]) / 2
         if not len(wide) or k == DOUBLINGS:
-            loose = wide[(np.abs(errors[wide]) > most).any(axis=(1, 2)) | outside[wide].any(axis=(1, 2))]
+            loose = wide[(np.abs(errors[wide]) > most).any(axis=(1, 2)) | outside[wide]]
             middle = (s[loose] + s[loose + 1]) / 2
             break
         s = np.insert(s, wide + 1, middle)
         q = np.insert(q, wide + 1, _onto_tube(solver, tube, path(middle), joints(middle), inside=INSIDE_LIMITS / 2), axis=0)
     return joints, middle
+
+
+def _extremes(joints: JointPath, s: Array) -> Array:
+    """Where joints turn back on cubic pieces between knots s (k,), and the end of those where they do not, (k - 1, 2, n)."""
+    q, slopes, widths = joints(s), joints(s, 1), np.diff(s)[:, None]
+    moved, first, last = np.diff(q, axis=0), widths * slopes[:-1], widths * slopes[1:]
+    square, cube = 3 * moved - 2 * first - last, first + last - 2 * moved
+    with np.errstate(divide="ignore", invalid="ignore"):
+        root = np.sqrt(np.maximum(square**2 - 3 * first * cube, 0.0))
+        far = -(square + np.copysign(root, square))
+        u = np.stack([far / (3 * cube), first / far], axis=1)
+    u = np.where((u > 0) & (u < 1), u, 1.0)
+    return np.asarray(q[:-1, None] + u * (first[:, None] + u * (square[:, None] + u * cube[:, None])))
 
 
 def _onto_tube(solver: Solver, tube: Tolerance | None, targets: Array, q: Array, *, inside: float) -> Array:

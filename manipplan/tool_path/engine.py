@@ -243,8 +243,8 @@ class ToolPathPlanner:
         return replace(self, layers=replace(self.layers, pose_step=step))
 
     def at_any_pace(self) -> "ToolPathPlanner":
-        """The same with all steps, also those on which joints are too fast for the tool speed."""
-        return replace(self, layers=replace(self.layers, joint_pace=None))
+        """The same with all steps, also those on which joints are too fast for a tool speed, or too far from pose to pose."""
+        return replace(self, layers=replace(self.layers, joint_pace=None, pose_step=None))
 
     def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
@@ -305,9 +305,9 @@ class ToolPathPlanner:
     def search(
         self, epsilon: ArrayLike, *, strict: bool = True, explain: bool = False, progress: Progress | None = None
     ) -> "tuple[ToolPathPlanner, SearchResult]":
-        """The planner and what `max_min_search` finds; at any pace where no motion keeps that of a tool speed."""
+        """The planner and what `max_min_search` finds; with all steps where none is found within a pace or a pose step."""
         found = max_min_search(self.layers, epsilon, strict=strict, explain=explain, throw=False, progress=progress)
-        if found.connected or self.layers.joint_pace is None:
+        if found.connected or (self.layers.joint_pace is None and self.layers.pose_step is None):
             return self, found
         return self.at_any_pace().search(epsilon, strict=strict, explain=explain)
 

@@ -183,7 +183,7 @@ def raise_minimum(
             except InvalidInputError:  # a pose is out of reach, or no configuration keeps what candidates have to spare there
                 break
             raised, higher = _search_from(divided, epsilon, in_time, start)
-            if higher.minimum <= least:
+            if higher.minimum <= least or raised.layers.pose_step != step:  # the search went on without the step
                 break
             planner, begun, found = divided, raised, higher
     return planner, (begun, found)

@@ -17,7 +17,7 @@ from manipplan.search.layers import choose_positions
 from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit
 from manipplan.support.progress import silent
 from manipplan.tool_path.engine import ToolPathPlanner
-from manipplan.tool_path.parts import connect, raise_minimum
+from manipplan.tool_path.parts import connect, find_parts, raise_minimum
 
 FOLDER = Path(__file__).parents[2] / "benchmarks" / "outside"
 CLOSE = mp.Tolerance(position=1e-4, rotation=np.deg2rad(0.1))
@@ -313,3 +313,27 @@ def test_a_long_seam_along_a_limit_is_a_step_of_a_program():
     poses[:, :3, 3] = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.25 + 0.25 * u], 1)
     seam = mp.MoveAlong(mp.CartesianPath.through(poses), task=mp.Task.pointing([0, 0, 1]))
     assert mp.sequence(mp.load_robot("panda"), "default", [seam]).passed
+
+
+def test_steps_that_are_small_at_given_poses_do_not_part_a_path(panda):
+    """Closer positions have smaller steps, below the distance of samples: there the path is searched with all."""
+    begin = np.diag([1.0, -1.0, -1.0, 1.0])
+    begin[:3, 3] = 0.5, -0.1, 0.4
+    end = begin.copy()
+    end[1, 3] = 0.1
+    path = mp.CartesianPath.line(begin, end)
+    layers = mp.sample_layers(panda, path, 12, spacing=0.05)
+    planner = ToolPathPlanner(path=path, layers=layers).with_pose_step(0.01)
+    assert not mp.max_min_search(planner.layers, 0.2, throw=False, explain=False).connected
+    (part,) = next(find_parts(planner, 0.2, 12, silent))
+    assert part.found.connected and part.found.minimum == mp.max_min_search(layers, 0.2).minimum
+
+
+@pytest.mark.slow
+def test_joints_keep_their_limits_where_they_turn_back_between_knots(panda):
+    """Joint 5 turns back at its limit: it was 5e-6 rad beyond it, between the points at which that was seen."""
+    begin = np.eye(4)
+    begin[:3, :3], begin[:3, 3] = Rotation.from_rotvec([-0.87, -0.36, -1.71]).as_matrix(), (0.01, 0.32, 0.74)
+    circle = mp.CartesianPath.circle(begin, (-0.02885211, 0.26843216, 0.7579842), (0.4099795, -0.559972, -0.719964))
+    plan = mp.follow(panda, mp.CartesianPath.through(circle.sample(25)), tolerance=mp.Tolerance(position=5e-4, rotation=5e-3))
+    assert plan.report.passed and plan.report.limits["position"].ratio <= 0

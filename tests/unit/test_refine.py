@@ -8,7 +8,7 @@ import pytest
 
 import manipplan as mp
 from manipplan.paths.cartesian import CartesianPath
-from manipplan.search.program import full_turns
+from manipplan.search.program import _extremes, full_turns
 
 
 def moved(pose, by):
@@ -229,3 +229,14 @@ def test_only_joints_without_end_close_a_cycle_by_full_turns():
     """A joint with limits of more than a turn has to come back itself, however large its last step is."""
     q = np.array([[0.1, 0.1, 0.0], [5.9, 5.9, -6.2]])
     np.testing.assert_allclose(full_turns(q, np.array([True, False, True])), [2 * np.pi, 0, -2 * np.pi])
+
+
+def test_a_spline_turns_back_where_fine_samples_do():
+    """Of each piece of a cubic spline and each joint the values where it turns back."""
+    rng = np.random.default_rng(0)
+    s = np.concatenate([[0.0], np.sort(rng.uniform(0.05, 0.95, 10)), [1.0]])
+    path = mp.JointPath.spline(s, np.column_stack([rng.normal(size=(12, 3)), np.full(12, 0.3), s]))
+    fine = path(s[:-1, None] + np.diff(s)[:, None] * np.linspace(0, 1, 20001))
+    found = np.concatenate([_extremes(path, s), path(s[:-1])[:, None], path(s[1:])[:, None]], axis=1)
+    np.testing.assert_allclose(found.max(axis=1), fine.max(axis=1), atol=1e-6)
+    np.testing.assert_allclose(found.min(axis=1), fine.min(axis=1), atol=1e-6)
