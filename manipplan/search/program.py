@@ -367,7 +367,7 @@ def _with_knots(
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
         between = s[:-1, None] + np.diff(s)[:, None] * shares
         errors = rows.errors(joints(between.ravel()), path(between.ravel())).reshape(len(s) - 1, POINTS_BETWEEN_KNOTS, -1)
-        outside = (solver.robot.limits.outside(_extremes(joints, s)) > BEYOND).any(axis=(1, 2))
+        outside = solver.robot.limits.outside(_extremes(joints, s)).max(axis=(1, 2)) > BEYOND
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside)
         middle = (s[wide] + s[wide + 1]) / 2
         if not len(wide) or k == DOUBLINGS:
