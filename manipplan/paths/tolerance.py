@@ -69,10 +69,10 @@ class Tolerance:
             raise InvalidInputError("tolerance", None, "a position [m], a rotation [rad], or both")
 
     def scaled(self, factor: float) -> "Tolerance":
-        """A tolerance `factor` times as large."""
+        """A tolerance `factor` times as large, and at least the smallest there is."""
         factor = number("factor", factor, above=0.0)
-        position = None if self.position is None else factor * self.position
-        return Tolerance(position=position, rotation=None if self.rotation is None else factor * self.rotation)
+        position, rotation = (None if part is None else max(factor * part, SMALLEST) for part in (self.position, self.rotation))
+        return Tolerance(position=position, rotation=rotation)
 
 
 #: Default tolerance of the tool on a path.

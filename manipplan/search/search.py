@@ -160,6 +160,8 @@ class ThresholdSearch:
 
     def last_values(self, part: Subset, reach: Array) -> Array:
         """The largest minimum manipulability of a path to each candidate of the last layer (k,); -inf where none leads."""
+        if len(self.layers.q) == 1:
+            return self.layers.m[0]
         stages = self._stages(reach)
         grid = self._grid(reach, self.layers.count)
         values, objective = np.full(len(stages[-1].m), -np.inf), Widest()

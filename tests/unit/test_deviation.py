@@ -340,3 +340,10 @@ def test_a_wide_tolerance_of_rotation_does_not_move_the_nearest_pose_away(angle)
     tolerance = mp.Tolerance(position=1e-4, rotation=angle)
     position, rotation = deviations(turning, poses, tolerance=tolerance)
     assert position.max() <= tolerance.position and rotation.max() <= tolerance.rotation
+
+
+def test_a_share_of_the_smallest_tolerance_is_the_smallest():
+    """follow uses a share of each: the error named 9e-10 where 1e-9 was given, which is allowed."""
+    smallest = mp.Tolerance(position=1e-9, rotation=2e-9)
+    assert smallest.scaled(0.9) == mp.Tolerance(position=1e-9, rotation=0.9 * 2e-9)
+    assert mp.Tolerance(rotation=1e-3).scaled(2) == mp.Tolerance(rotation=2e-3)

@@ -320,3 +320,13 @@ def test_lead_ins_keep_the_time_limit(planar):
     made = mp.follow(planar, path, wall, start=[1.5, 0.2, 0.1], seeding=seeding, **options)
     assert calls and made.status is mp.Status.NO_PATH
     assert time.monotonic() - began < work + 2.0
+
+
+def test_a_start_from_which_no_step_leads_on_is_told():
+    """The arm stands at the first pose, and a joint at the limit that the path leads beyond."""
+    robot = mp.load_robot("ur5_limited")
+    start = np.array([0.3, -1.2, 1.4, -1.7, -1.5, robot.limits.upper[5]])
+    begin = tool(robot, [start])[0]
+    turn = np.array([[np.cos(1), -np.sin(1), 0, 0], [np.sin(1), np.cos(1), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    with pytest.raises(mp.errors.PlanningError, match="no motion leads on from s = 0 .* upper limit of wrist_3_joint"):
+        mp.follow(robot, mp.CartesianPath.line(begin, begin @ turn), start=start)
