@@ -20,7 +20,7 @@ from manipplan.paths.trajectory import Trajectory, joined
 from manipplan.robots.arms import has_few_joints
 from manipplan.robots.robot import Robot
 from manipplan.search.sampling import default_samples, sample_layers
-from manipplan.support.checks import Array
+from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress
 from manipplan.support.status import Failure
@@ -133,15 +133,21 @@ class TransitPlanner:
             on = self._straight(goal, way)
             if isinstance(on, Failure):
                 return Failure(message=f"no straight way back onto the path: {on.message}")
-            back = on.backwards()
-            middle = self.plan_free(off.goal, back.start, seconds, notify)
-            if isinstance(middle, Failure):
-                return middle
+            back, middle = on.backwards(), list[tuple[JointPath, Trajectory]]()
+            if np.abs(off.goal - back.start).max() < COINCIDENT:  # the tool comes back from where it went to
+                control = back.control.copy()
+                control[0, 0] = off.goal
+                back = JointPath(breaks=back.breaks, control=control)
+            else:
+                found = self.plan_free(off.goal, back.start, seconds, notify)
+                if isinstance(found, Failure):
+                    return found
+                middle.append(found)
             try:
                 timed = [retime(each, self.robot, torque=self.torque) for each in (off, back)]
             except PlanningError as error:
                 return Failure(message=f"the straight way cannot be timed: {error}")
-            return self._of([off, middle[0], back], [timed[0], middle[1], timed[1]])
+            return self._of([off, *(path for path, _ in middle), back], [timed[0], *(motion for _, motion in middle), timed[1]])
 
         return plan_to
 

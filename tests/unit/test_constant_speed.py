@@ -251,6 +251,22 @@ def test_a_corner_is_parted_where_the_speed_demands_it(panda):
 
 
 @pytest.mark.slow
+def test_a_tool_retreats_at_a_corner_and_comes_back_from_there(panda):
+    """Both straight ways end in one configuration, between which there is no free motion."""
+    begin = np.diag([1.0, -1.0, -1.0, 1.0])
+    places = np.array([[0.45, -0.15], [0.63, -0.15], [0.63, 0.11], [0.45, 0.11]])
+    poses = np.tile(begin, (31, 1, 1))
+    poses[:, :3, 3] = 0.0, 0.0, 0.4
+    poses[:, :2, 3] = np.vstack([places[:1], *(a + np.linspace(0.1, 1, 10)[:, None] * (b - a) for a, b in pairwise(places))])
+    plan = mp.follow(panda, mp.CartesianPath.through(poses), tool_speed=0.2, interruptions=2)
+    assert plan.report.passed and is_kept(panda, plan, 0.2) and len(plan.report.along) == 3
+    for first, last in plan.off_path:
+        t = np.linspace(first, last, 200)
+        height = panda.kinematics().pose(plan.trajectory(t))[:, 2, 3]
+        assert height.max() == pytest.approx(0.45, abs=1e-4)  # by the default of 5 cm
+
+
+@pytest.mark.slow
 def test_cuts_are_at_the_corners_whatever_the_positions(panda):
     path, s = with_corners(panda, np.array([[0.12, 0.0], [0.06, 0.1], [0.0, 0.0]]))
     for positions in (None, 11):
