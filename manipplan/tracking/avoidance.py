@@ -39,10 +39,10 @@ BRAKING = 0.5
 class Avoidance:
     """Obstacles and links that a controller keeps apart, and its distances.
 
-    Two bodies closer than `influence` may approach at no more than ξ (d - d_s)/(d_i - d_s). A servo also keeps bodies at any
-    distance slow enough that it can stop them in time. Links are modelled as capsules
-    that contain them; pairs of the robot's own links for which capsules are too coarse are left out (`Controller.unguarded`
-    names them). Each pair costs 0.1 µs per step, and time to compile: name the links that matter.
+    Two bodies closer than `influence` may approach at no more than ξ (d - d_s)/(d_i - d_s). A servo also moves toward bodies at
+    any distance only as fast as it can stop in time. Links are modelled as capsules that contain them; pairs of the robot's own
+    links for which capsules are too coarse are left out (`Controller.unguarded` names them). Each pair costs 0.1 µs per step,
+    and time to compile: name the links that matter.
 
     Attributes:
         scene: obstacles; spheres, capsules, boxes, cylinders (as enclosing capsules) and planes.
@@ -96,7 +96,7 @@ class AvoidanceRows:
 def avoidance_rows(robot: Robot, chain: SymbolicChain, avoidance: Avoidance, *, brakes_in_time: bool = False) -> AvoidanceRows:
     """The rows of a robot at the symbolic configuration of `chain`.
 
-    With `brakes_in_time` bodies never approach faster than the acceleration limits allow them to stop, at any distance.
+    With `brakes_in_time` the robot moves toward bodies at any distance only as fast as its acceleration limits let it stop.
 
     Raises InvalidInputError for a robot without collision geometry, UnknownNameError for an unknown link or an unknown name in
     an allowed pair.
@@ -164,17 +164,17 @@ def _row(
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
     """(A.1) with n from the obstacle to the robot: nᵀ (J q̇ - v) >= - ξ (d - d_s) / (d_i - d_s) where d <= d_i.
 
-    With `limits` the right side is at least -√(2 a (d - d_s)), and at least -√(ξ² + 2 a (d - d_i)) beyond d_i: from there the
-    joints can brake in time, with a = BRAKING Σ_i |nᵀ J_i| A_i of their acceleration limits A_i.
+    With `limits` the robot also moves toward a body no faster than √(2 a (d - d_s)) and, beyond d_i, √(ξ² + 2 a (d - d_i)):
+    from there the joints can brake in time, with a = BRAKING Σ_i |nᵀ J_i| A_i of their acceleration limits A_i.
     """
-    room, damping = near.distance - avoidance.security, avoidance.damping
-    fastest, far = damping * room / (avoidance.influence - avoidance.security), ca.SX(ca.inf)
+    room, beyond = near.distance - avoidance.security, near.distance - avoidance.influence
+    damper = approach - avoidance.damping * room / (avoidance.influence - avoidance.security)
+    bound = ca.if_else(beyond <= 0, damper, -ca.inf)
     if limits is not None and np.isfinite(limits.acceleration).all():
-        braking = BRAKING * ca.fabs(rate) @ ca.DM(limits.acceleration)
-        fastest = ca.fmin(fastest, ca.sqrt(ca.fmax(2 * braking * room, 0)))
-        beyond = ca.fmin(2 * braking * room, damping**2 + 2 * braking * (near.distance - avoidance.influence))
-        far = ca.sqrt(ca.fmax(beyond, 0))
-    return rate, approach - ca.if_else(near.distance <= avoidance.influence, fastest, far), near.distance
+        braking = 2 * BRAKING * ca.fabs(rate) @ ca.DM(limits.acceleration)
+        square = ca.if_else(beyond <= 0, braking * room, ca.fmin(braking * room, avoidance.damping**2 + braking * beyond))
+        bound = ca.fmax(bound, -ca.sqrt(ca.fmax(square, 0)))
+    return rate, bound, near.distance
 
 
 def _lines(chain: SymbolicChain) -> ca.SX:

@@ -564,6 +564,19 @@ def test_a_fast_arm_brakes_before_an_obstacle(is_jog):
     assert 0.019 < least < 0.09
 
 
+def test_an_obstacle_that_comes_from_afar_does_not_move_the_arm():
+    """Links with little leverage toward it, which cannot flee, do not turn the joints."""
+    robot, q, qd = mp.load_robot("ur5"), np.array([0.2, -1.2, 1.4, -1.0, 1.1, 0.3]), np.zeros(6)
+    ball = mp.Sphere(radius=0.1, position=(3.0, 0.5, 0.3), name="ball")
+    avoidance = mp.Avoidance(scene=mp.Scene([ball]), itself=False, moving=["ball"])
+    servo = Servo(robot, dt=DT, avoidance=avoidance, compiled=False)
+    for k in range(200):
+        pose = pin.SE3(np.eye(3), np.array([3.0 - 2.0 * k * DT, 0.5, 0.3]))
+        qd = servo.step(q, qd, np.zeros(6), "world", obstacles={"ball": (pose, [-2.0, 0, 0, 0, 0, 0])})
+        assert np.abs(qd).max() < 1e-9 and servo.status is ServoStatus.FOLLOWING
+        q = q + DT * qd
+
+
 @pytest.mark.parametrize("seed", [22801, 27737, 28999])
 def test_rounding_of_large_multipliers_is_no_failure(servos, seed):
     servo, rng = servos("panda"), np.random.default_rng(seed)
