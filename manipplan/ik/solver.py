@@ -70,9 +70,9 @@ FINEST = 20_000
 AT_RANDOM = 128
 #: Number of joints that a pose takes, and one in a plane.
 POSE, PLANAR_POSE = 6, 3
-#: Number of random starts per sample, and minimum of all, for an arm with few joints.
+#: Number of random starts per sample, and minimum of all of a pose, for an arm with few joints.
 STARTS, ALL_STARTS = 8, 64
-#: Number of samples of an arm with few joints that are solved together.
+#: Number of samples of an arm with few joints that are solved together, with so many starts each.
 TOGETHER = 512
 METHODS = ("auto", "closed-form", "newton")
 
@@ -433,12 +433,12 @@ class Solver:
     def solve_once(self, poses: Array, owners: NDArray[np.int64], samples: Array, deadline: Deadline = NEVER) -> Found:
         """As `solve`, but of configurations that differ by full turns only that with the smallest values inside the limits."""
         if self.by_rows:
-            return self._by_rows(poses[owners], self.free, samples, deadline)
+            return self._by_rows(poses[owners], owners, self.free, samples, deadline)
         if self.own is not None:
             return self._by_own(self.own, poses, owners, samples, deadline)
         if self.robot.planar:
             targets, rows = self._targets(poses, owners, samples, np.arange(len(samples)))
-            return self._by_rows(targets[rows], NOTHING, samples, deadline)
+            return self._by_rows(targets[rows], owners, NOTHING, samples, deadline)
         if self.form is None:
             return self._by_search(poses, owners, samples, deadline)
         asked = poses, owners, samples
@@ -485,22 +485,26 @@ class Solver:
             return np.zeros(0)
         return residuals(self.kinematics.pose(q), targets, rows)
 
-    def _by_rows(self, poses: Array, free: FreeMotion, samples: Array, deadline: Deadline) -> Found:
-        """Solutions of what counts of poses (s, 4, 4), the pose of each sample (s, r), from random starts."""
+    def _by_rows(self, poses: Array, owners: NDArray[np.int64], free: FreeMotion, samples: Array, deadline: Deadline) -> Found:
+        """Solutions of what counts of poses (s, 4, 4), the pose of each sample (s, r), from random starts.
+
+        Samples of the same pose have the same one of `owners` (s,).
+        """
         rng, limits, robot = np.random.default_rng(self.seed), self.robot.limits, self.robot
-        count, begin = max(STARTS, ALL_STARTS // max(len(samples), 1)), 0
+        count, begin = max(STARTS, ALL_STARTS // max(int(np.bincount(owners).max(initial=0)), 1)), 0
+        together = TOGETHER * STARTS // count
         blocks: list[Found] = []
         moves = np.ones(robot.n, dtype=np.bool_)
         moves[list(self.held)] = False
         places = StartsOfPoses(robot, whole_pose=not free.turns.value)
         while begin < len(samples) and not (blocks and deadline.passed):
-            source = np.repeat(np.arange(begin, min(begin + TOGETHER, len(samples))), count)
+            source = np.repeat(np.arange(begin, min(begin + together, len(samples))), count)
             q = places.random(poses[source], rng)
             q[:, list(self.held)] = samples[source, : len(self.held)]
             q, residual = search_rows(self.kinematics, free, q, poses[source], moves)
             good = (residual <= _allow_residual(poses)[source]) & (limits.outside(q) <= 0).all(axis=1)
             blocks.append(Found(q=in_turn(robot, q[good]), source=source[good], residual=residual[good]))
-            begin += TOGETHER
+            begin += together
         found = _join(blocks, robot.n)
         unique, hits = merged(found.q, found.source)
         missing = float((hits == 1).sum() / hits.sum()) if len(hits) else 1.0

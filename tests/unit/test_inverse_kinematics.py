@@ -708,3 +708,12 @@ def test_a_time_limit_holds_for_many_poses_out_of_reach(panda):
 def test_wrong_time_limits_are_refused(panda, limit):
     with pytest.raises(mp.errors.InvalidInputError, match="time_limit: got"):
         mp.inverse_kinematics(panda, panda.kinematics().pose(panda.neutral), time_limit=limit)
+
+
+@pytest.mark.slow
+def test_poses_of_a_path_have_as_many_random_starts_as_one():
+    """Of many poses each had 8, of one 64: some of a path that the arm reaches had no solution."""
+    robot, task, rng = mp.load_robot("so100"), mp.Task.pointing([0, 0, 1]), np.random.default_rng(7)
+    middle = robot.limits.lower + (robot.limits.upper - robot.limits.lower) * rng.uniform(0.25, 0.75, (300, 5))
+    found = mp.inverse_kinematics(robot, robot.kinematics(mp.Task.position()).pose(middle), task=task)
+    np.testing.assert_array_equal(np.unique(found.pose_index), np.arange(300))
