@@ -15,13 +15,13 @@ from manipplan.ik.geometry import Screws
 from manipplan.ik.newton import (
     ArmWithHeldJoints,
     MovingArm,
-    Starts,
     StartsOfPoses,
     approach,
     best_held,
     merged,
     onto_rows,
     random_answers,
+    random_near,
     search_rows,
     window,
 )
@@ -262,25 +262,32 @@ class Solver:
     def random_solutions(self, pose: Array) -> Array:
         """Configurations (k, n) to which random starts lead, and that reach a pose (4, 4).
 
-        They serve where so few parameters have a solution that a grid misses them all, as far along a slide, where a direction
-        has to be met that leaves the slide little room. Such a pose is approached: the slides of solutions for a nearer one are
-        made longer. There are none without a closed form, where random starts are the method, and none with a free motion.
+        They serve where so few parameters have a solution that a grid misses them all, as at the edge of the reach, or far
+        along a slide, where a direction has to be met that leaves the slide little room. Such a pose is approached: the slides
+        of solutions for a nearer one are made longer. There are none without a closed form, where random starts are the method.
         """
         q = np.zeros((0, self.robot.n))
-        if self.form is None or not self.names or self.free.names:
+        if self.form is None or not self.names:
             return q
-        arm, limits = MovingArm(self.screws, np.ones(self.robot.n, dtype=np.bool_)), self.robot.limits
+        limits, whole_pose = self.robot.limits, not self.free.turns.value
         slides, ratio = list(slides_of(self.robot)), 1.0
         for target, share in approach(self.robot, pose):
             if not len(q):
-                q = Starts.near(self.robot, target, whole_pose=True).random(np.random.default_rng(self.seed), AT_RANDOM)
+                q = random_near(self.robot, target, np.random.default_rng(self.seed), AT_RANDOM, whole_pose=whole_pose)
             q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
             allowed, ratio = float(_allow_residual(target[None])[0]), share
-            q, miss = arm.search(q, target, limits.lower, limits.upper, steps=STEPS, tolerance=allowed / 100)
+            q, miss = self._search(q, target, allowed / 100)
             q = q[miss <= allowed]
             if not len(q):
                 break
         return in_turn(self.robot, q)
+
+    def _search(self, q: Array, pose: Array, tolerance: float) -> tuple[Array, Array]:
+        """Configurations (k, n) after damped steps of all joints towards a pose (4, 4), and their errors (k,) [m, rad]."""
+        moves, limits = np.ones(self.robot.n, dtype=np.bool_), self.robot.limits
+        if self.free.names:
+            return search_rows(self.kinematics, self.free, q, np.tile(pose, (len(q), 1, 1)), moves)
+        return MovingArm(self.screws, moves).search(q, pose, limits.lower, limits.upper, steps=STEPS, tolerance=tolerance)
 
     @property
     def sweeps_slides(self) -> bool:
@@ -463,7 +470,8 @@ class Solver:
 
     def judged(self, q: Array, pose: Array) -> Found:
         """The rows of q (k, n) that reach a pose (4, 4), after refinement where rounding requires it."""
-        return self._check_solutions(q, np.arange(len(q)), pose[None], np.zeros(len(q), dtype=np.int64))
+        targets = self.free.nearest(self.kinematics.pose(q), np.tile(pose, (len(q), 1, 1)))
+        return self._check_solutions(q, np.arange(len(q)), targets, np.arange(len(q)))
 
     def _check_solutions(self, q: Array, source: NDArray[np.int64], targets: Array, rows: NDArray[np.int64]) -> Found:
         """The rows of q that reach their pose, targets[rows], after refinement where rounding requires it."""

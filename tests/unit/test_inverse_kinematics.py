@@ -8,6 +8,7 @@ import time
 import numpy as np
 import pinocchio as pin
 import pytest
+from scipy.optimize import minimize
 
 import manipplan as mp
 from manipplan.ik.bridge import SKEW, arrangement, swivels_of
@@ -717,3 +718,25 @@ def test_poses_of_a_path_have_as_many_random_starts_as_one():
     middle = robot.limits.lower + (robot.limits.upper - robot.limits.lower) * rng.uniform(0.25, 0.75, (300, 5))
     found = mp.inverse_kinematics(robot, robot.kinematics(mp.Task.position()).pose(middle), task=task)
     np.testing.assert_array_equal(np.unique(found.pose_index), np.arange(300))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["tiago", "talos_left_arm", "panda"])
+@pytest.mark.parametrize("task", [mp.Task.position(), mp.Task.pointing([0, 0, 1])], ids=["position", "pointing"])
+def test_free_motions_have_solutions_at_the_edge_of_the_reach(name, task):
+    """There, so few rotations of the tool have a solution that no grid contains one."""
+    robot, rng = mp.load_robot(name), np.random.default_rng(4)
+    kinematics, lower, upper = robot.kinematics(), np.maximum(robot.limits.lower, -7), np.minimum(robot.limits.upper, 7)
+    for direction in rng.normal(size=(4, 3)):
+        starts = rng.uniform(lower, upper, (500, robot.n))
+        first = starts[np.argmax(kinematics.pose(starts)[:, :3, 3] @ direction)]
+        farthest = minimize(
+            lambda q, d=direction: -kinematics.pose(q)[:3, 3] @ d, first, bounds=list(zip(lower, upper, strict=True))
+        )
+        near = np.clip(farthest.x + rng.normal(size=robot.n) * 0.03, robot.limits.lower, robot.limits.upper)
+        found = mp.inverse_kinematics(robot, kinematics.pose(near), task=task)
+        assert len(found)
+        misses = kinematics.pose(found.q) - kinematics.pose(near)
+        assert np.abs(misses[:, :3, 3]).max() < 1e-8
+        if task.name.startswith("pointing"):
+            assert np.abs(misses[:, :3, 2]).max() < 1e-8
