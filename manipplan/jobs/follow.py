@@ -1,6 +1,6 @@
 """follow: a timed motion along a workspace path."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import replace
@@ -43,7 +43,7 @@ from manipplan.timing.constant_speed import MOST_SLOWDOWN, STEADY, SpeedDemand, 
 from manipplan.timing.retime import check_timing_limits, retime
 from manipplan.tool_path.engine import MORE_POSITIONS, SPACING, ToolPathPlanner
 from manipplan.tool_path.gap import explain_gap
-from manipplan.tool_path.parts import FollowingMotion, NotConnected, PartsFailure, PartsJoiner, find_parts
+from manipplan.tool_path.parts import FollowingMotion, FoundPart, NotConnected, PartsFailure, PartsJoiner, find_parts
 from manipplan.tool_path.transit import TransitPlanner
 
 #: Minimum length of a retreat [m].
@@ -159,8 +159,8 @@ def follow(
     comes back to the pose where it left. `report.along` tells when.
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
-    the path begins in this configuration. Otherwise a lead-in, planned as by `plan`, leads to one in which the path begins,
-    and stops there. It is chosen for the largest minimum manipulability of lead-in and path together: what the start and the
+    the path begins in this configuration, if a motion along the path does. Otherwise a lead-in, planned as by `plan`, leads to
+    one in which the path begins, and stops there. It is chosen for the largest minimum manipulability of lead-in and path together: what the start and the
     best path from a configuration allow bounds it, so those with the largest bound are tried first, and no more where another
     could gain at most 1 %; at most four motions. `candidates` of the plan tells what was tried, and `path_begin` when the path
     begins.
@@ -330,15 +330,16 @@ def follow(
         integral = PathIntegral(kinematics=kinematics, power=objective.power, floor=floor, metric=metric)
         allowed = with_defaults(tolerance)
         draft = PartialPlan(robot=robot, scene=scene, status=Status.NOT_CONNECTED, workspace_path=path, tolerance=allowed)
-        parts = find_parts(
-            planner,
-            epsilon,
-            interruptions,
-            until(deadline, part(say, 0.4, 0.6)),
-            connects=positions is None,
-            start=begin,
-            stops=stops,
-        )
+
+        def find_from(begin: Array | None) -> Iterator[list[FoundPart]] | NotConnected:
+            limited = until(deadline, part(say, 0.4, 0.6))
+            return find_parts(planner, epsilon, interruptions, limited, connects=positions is None, start=begin, stops=stops)
+
+        parts = find_from(begin)
+        if isinstance(parts, NotConnected) and begin is not None:
+            others = find_from(None)
+            if not isinstance(others, NotConnected):
+                parts, begin = others, None
         if isinstance(parts, NotConnected):
             prefix = "" if begin is None else "from the start, which is at the first pose of the path, "
             search, where = parts.search, ""

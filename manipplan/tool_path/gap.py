@@ -94,10 +94,10 @@ def _reasons(planner: ToolPathPlanner, q: Array, beyond: int, epsilon: Array) ->
 
 
 def _pairs(planner: ToolPathPlanner, q: Array) -> list[str]:
-    """The nearest two bodies at each of configurations (k, n)."""
+    """The nearest two bodies at each of configurations (k, n); "" where no two are checked."""
     sampler = planner.layers.sampler
     assert sampler is not None
-    if sampler.collision is None:
+    if sampler.collision is None or not sampler.collision.pair_names:
         return [""] * len(q)
     distances = sampler.collision.distance_rows(q, beyond=sampler.spec.clearance)
     return [" and ".join(sampler.collision.pair_names[int(k)]) for k in distances.argmin(axis=1)]

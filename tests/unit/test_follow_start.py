@@ -322,11 +322,31 @@ def test_lead_ins_keep_the_time_limit(planar):
     assert time.monotonic() - began < work + 2.0
 
 
-def test_a_start_from_which_no_step_leads_on_is_told():
+def test_where_no_motion_leads_on_from_the_first_pose_the_path_begins_in_another_configuration():
     """The arm stands at the first pose, and a joint at the limit that the path leads beyond."""
     robot = mp.load_robot("ur5_limited")
     start = np.array([0.3, -1.2, 1.4, -1.7, -1.5, robot.limits.upper[5]])
     begin = tool(robot, [start])[0]
     turn = np.array([[np.cos(1), -np.sin(1), 0, 0], [np.sin(1), np.cos(1), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-    with pytest.raises(mp.errors.PlanningError, match="no motion leads on from s = 0 .* upper limit of wrist_3_joint"):
-        mp.follow(robot, mp.CartesianPath.line(begin, begin @ turn), start=start)
+    path = mp.CartesianPath.line(begin, begin @ turn)
+    plan = mp.follow(robot, path, start=start)
+    motion = plan.trajectory
+    assert plan.report.passed and plan.path_begin > 0
+    np.testing.assert_array_equal(motion.q[0], start)
+    poses = tool(robot, motion(np.linspace(plan.path_begin, motion.duration, 200)))
+    np.testing.assert_allclose(poses[[0, -1]], [begin, begin @ turn], atol=1e-4)
+    np.testing.assert_allclose(poses[:, :3, 3], np.tile(begin[:3, 3], (200, 1)), atol=1e-4)
+    turned = mp.follow(robot, mp.CartesianPath.line(begin, begin @ turn.T), start=start)
+    assert turned.path_begin == 0.0
+
+
+def test_a_start_from_which_no_motion_follows_the_path_is_told():
+    """The path begins within reach of one posture of the elbow, and ends within that of the other."""
+    robot = mp.planar_arm([1.0, 1.0]).with_limits(lower=[0.0, -3.0], upper=[2.0, 3.0])
+    angles = np.linspace(0.5, 1.5, 21)
+    poses = np.tile(np.eye(4), (21, 1, 1))
+    poses[:, :2, 3] = 1.5 * np.column_stack([np.cos(angles), np.sin(angles)])
+    path = mp.CartesianPath.through(poses)
+    start = mp.inverse_kinematics(robot, path(0.0)).q[0]
+    with pytest.raises(mp.errors.PlanningError, match="from the start, which is at the first pose.* upper limit of joint1"):
+        mp.follow(robot, path, start=start)
