@@ -79,12 +79,12 @@ class Tolerance:
 BETWEEN = Tolerance(position=1e-4, rotation=1e-3)
 
 
-def with_defaults(tolerance: Tolerance | None) -> Tolerance:
+def with_defaults(tolerance: Tolerance | None, defaults: Tolerance = BETWEEN) -> Tolerance:
     """The tolerance, with the default for a missing part."""
     if tolerance is None:
-        return BETWEEN
-    position = BETWEEN.position if tolerance.position is None else tolerance.position
-    return Tolerance(position=position, rotation=BETWEEN.rotation if tolerance.rotation is None else tolerance.rotation)
+        return defaults
+    position = defaults.position if tolerance.position is None else tolerance.position
+    return Tolerance(position=position, rotation=defaults.rotation if tolerance.rotation is None else tolerance.rotation)
 
 
 def row_shares(task: Task) -> tuple[list[float], list[float]]:

@@ -36,6 +36,8 @@ from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 #: Maximum joint motion between two poses of the tool that are compared [rad or m], minimum number of these poses, and number of
 #: evenly spaced poses of the path that the tool has to come past, beside those through which it was laid.
 STEP, LEAST, POSES = 2e-3, 1500, 2001
+#: Tolerance below which this joint motion is smaller, as chords leave the tool's way by its square, and smallest share of it.
+CHORDS, SMALLEST_SHARE = 2.5e-5, 0.05
 
 
 def tool_distances(
@@ -58,7 +60,9 @@ def tool_distances(
         along: the parts of the motion on which the tool follows the path; (): all of it.
         tolerance: what the distances are compared with: a pose within it counts as such.
     """
-    free, fine = kinematics.free_motion, path.fine_samples(STEP)
+    least = min(part for part in (tolerance.position, tolerance.rotation) if part is not None) if tolerance else CHORDS
+    step = STEP * float(np.clip(np.sqrt(least / CHORDS), SMALLEST_SHARE, 1.0))
+    free, fine = kinematics.free_motion, np.union1d(path.fine_samples(step), path.breaks)  # which are dense at corners
     parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed, ways = [], [], []
     for part in parts:

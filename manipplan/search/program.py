@@ -302,9 +302,9 @@ class PoseRows:
 
 
 #: Number of points between two knots at which the deviation is checked, an odd one, as it is largest half-way between them,
-#: and maximum number of knot insertions.
+#: number of knot insertions, and their maximum number while each reduces the deviation to this share, as at corners.
 POINTS_BETWEEN_KNOTS = 5
-DOUBLINGS = 6
+DOUBLINGS, MOST_DOUBLINGS, HELPS = 6, 16, 0.7
 #: Distance beyond a position limit that is rounding, a share of what the check of a motion allows [rad or m].
 BEYOND = 1e-9
 #: Shares of the tube's width that are tried where all of it does not help.
@@ -362,7 +362,8 @@ def _with_knots(
     tube: Tolerance | None,
 ) -> tuple[JointPath, Array]:
     """The joint path with knots added, and the s (w,) of intervals in which it does not follow the path to `most` even so."""
-    for k in range(DOUBLINGS + 1):
+    worst = np.inf
+    for k in range(MOST_DOUBLINGS + 1):
         joints = JointPath.spline(s, q, closed=closed)
         shares = np.arange(1, 2 * POINTS_BETWEEN_KNOTS, 2) / (2 * POINTS_BETWEEN_KNOTS)
         between = s[:-1, None] + np.diff(s)[:, None] * shares
@@ -370,7 +371,8 @@ def _with_knots(
         outside = solver.robot.limits.outside(_extremes(joints, s)).max(axis=(1, 2)) > BEYOND
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside)
         middle = (s[wide] + s[wide + 1]) / 2
-        if not len(wide) or k == DOUBLINGS:
+        before, worst = worst, float((np.abs(errors[wide]) / most).max(initial=0.0))
+        if not len(wide) or k == MOST_DOUBLINGS or (k >= DOUBLINGS and worst > HELPS * before):
             loose = wide[(np.abs(errors[wide]) > most).any(axis=(1, 2)) | outside[wide]]
             middle = (s[loose] + s[loose + 1]) / 2
             break

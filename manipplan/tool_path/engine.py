@@ -14,7 +14,7 @@ from manipplan.ik.newton import MovingArm
 from manipplan.kinematics.factors import singularity_signs
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tolerance import BETWEEN, Tolerance
+from manipplan.paths.tolerance import BETWEEN, Tolerance, with_defaults
 from manipplan.paths.trajectory import Trajectory
 from manipplan.robots.robot import Robot
 from manipplan.search.layers import Layers
@@ -177,9 +177,7 @@ class ToolPathPlanner:
     def is_at_start(self, q: Array) -> bool:
         """Whether the tool stands at the first pose at q (n,): near enough for a spline that goes on inside the tolerance."""
         rows = PoseRows(self._sampler.kinematics)
-        wide = rows.box(BETWEEN.scaled(AT_KNOTS * AT_POSITIONS))
-        if self.tolerance is not None:
-            wide = np.maximum(wide, rows.box(self.tolerance.scaled(AT_POSITIONS**2)))
+        wide = rows.box(_shares(self.tolerance, AT_POSITIONS**2, AT_KNOTS * AT_POSITIONS))
         return bool((np.abs(rows.errors(q[None], self.path(np.zeros(1)))) <= wide).all())
 
     def starting_at(self, q: Array) -> "ToolPathPlanner":
@@ -511,10 +509,9 @@ class ToolPathPlanner:
         layers = self.layers
         assert layers.s is not None
         rows, s = PoseRows(self._sampler.kinematics), layers.s
-        allowed = rows.box(BETWEEN.scaled(AT_KNOTS) if self.allowed is None else self.allowed)
+        allowed = rows.box(self.allowed or _shares(tolerance, IN_TUBE, AT_KNOTS))
         tube = None
         if tolerance is not None:
-            allowed = np.maximum(allowed, rows.box(tolerance.scaled(IN_TUBE)))
             tube = tolerance.scaled(AT_POSITIONS / np.sqrt(3))  # inside the box of the rows
         if layers.closed:
             s, q = np.append(s, 1.0), np.vstack([q, q[0] + full_turns(q, layers.continuous)])  # the way back to the start
@@ -530,6 +527,11 @@ class ToolPathPlanner:
             tube=tube,
             hold_start=hold_start,
         )
+
+
+def _shares(tolerance: Tolerance | None, given: float, default: float) -> Tolerance:
+    """A share of the parts of a tolerance that are given, and another one of the default for others."""
+    return with_defaults(None if tolerance is None else tolerance.scaled(given), BETWEEN.scaled(default))
 
 
 def _largest(connects: Callable[[float], bool]) -> float:
