@@ -160,10 +160,10 @@ def follow(
 
     With a `start` the motion begins there. If the tool stands at the first pose of the path, to a quarter of the tolerance,
     the path begins in this configuration, if a motion along the path does. Otherwise a lead-in, planned as by `plan`, leads to
-    one in which the path begins, and stops there. It is chosen for the largest minimum manipulability of lead-in and path together: what the start and the
-    best path from a configuration allow bounds it, so those with the largest bound are tried first, and no more where another
-    could gain at most 1 %; at most four motions. `candidates` of the plan tells what was tried, and `path_begin` when the path
-    begins.
+    one in which the path begins, and stops there. It is chosen for the largest minimum manipulability of lead-in and path
+    together: what the start and the best path from a configuration allow bounds it, so those with the largest bound are tried
+    first, and no more where another could gain at most 1 %; at most four motions. `candidates` of the plan tells what was
+    tried, and `path_begin` when the path begins.
 
     Args:
         robot: the arm.
