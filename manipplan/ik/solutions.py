@@ -155,7 +155,7 @@ def inverse_kinematics(
                 break
             found = found.with_more(_solve(solver, poses[none], None, count, turns, deadline), none)
         for k in np.setdiff1d(np.arange(len(poses)), found.owners):
-            if finer and (found.cut or deadline.passed):  # finer samples or random starts might have reached this pose
+            if solver.samples_redundancy and (found.cut or deadline.passed):  # more work might have reached this pose
                 share = 1 - len(np.unique(found.owners)) / len(poses)
                 found = replace(found, complete=Completeness.STATISTICAL, missing=max(found.missing, share))
                 break

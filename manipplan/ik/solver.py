@@ -205,6 +205,11 @@ class Solver:
         return held + swivel + (() if self.by_rows else self.free.names)
 
     @property
+    def samples_redundancy(self) -> bool:
+        """Whether parameters are sampled, so that random starts of all joints may reach a pose that no sample does."""
+        return bool(self.names) and self.own is None
+
+    @property
     def sampled_names(self) -> tuple[str, ...]:
         """Names of what has a number of samples: the parameters, or those of the arm and the poses of a region."""
         bounded = self.free.bounds
@@ -264,10 +269,10 @@ class Solver:
 
         They serve where so few parameters have a solution that a grid misses them all, as at the edge of the reach, or far
         along a slide, where a direction has to be met that leaves the slide little room. Such a pose is approached: the slides
-        of solutions for a nearer one are made longer. There are none without a closed form, where random starts are the method.
+        of solutions for a nearer one are made longer.
         """
         q = np.zeros((0, self.robot.n))
-        if self.form is None or not self.names:
+        if not self.samples_redundancy:
             return q
         limits, whole_pose = self.robot.limits, not self.free.turns.value
         slides, ratio = list(slides_of(self.robot)), 1.0

@@ -277,10 +277,11 @@ class PathSampling:
                 while not wait([job], REPORT).done:
                     notify(len(found) / len(poses), f"sampling positions: {sum(len(each.m) for each in found):,} candidates")
                 for each in job.result():
-                    if not len(each.q):
-                        k = len(found)
-                        raise _no_candidate(name(k), self.sampler, poses[k], self.values, each.reached)
-                    found.append(each)
+                    k = len(found)
+                    sample = each if each.reached else self.sampler.sample_at_random(poses[k])
+                    if not len(sample.q):
+                        raise _no_candidate(name(k), self.sampler, poses[k], sets[k], sample.reached)
+                    found.append(sample)
                 candidates = sum(len(each.m) for each in found)
                 notify(len(found) / len(poses), f"sampling positions: {candidates:,} candidates")
         return found
@@ -320,13 +321,11 @@ def _no_candidate(position: str, sampler: "CandidateSampler", pose: Array, value
     """The error that says why a position has no candidate, and the remedy."""
     if reached:
         spec = sampler.spec
-        apart, (first, second) = sampler.widest(pose, values)
+        widest = sampler.widest(pose, values)
         needed = f"clearance {1e3 * (spec.clearance - spec.spare):.4g} mm" if spec.clearance > spec.spare else "no collision"
         needed += f" and {1e3 * spec.spare:.4g} mm to spare for the motion between positions" if spec.spare else ""
-        wanted = (
-            f"a pose with a collision-free configuration; {reached:,} reach it, and in the best of them {first} and {second} "
-            f"{apart_text(apart)}; needed: {needed}"
-        )
+        best = f"in the best of them {' and '.join(widest[1])} {apart_text(widest[0])}" if widest else "none of them is free"
+        wanted = f"a pose with a collision-free configuration; {reached:,} reach it, and {best}; needed: {needed}"
         return InvalidInputError(position, pose.tolist(), wanted)
     nearest, own = sampler.nearest(pose), sampler.solver.own
     if own is not None:
@@ -421,6 +420,13 @@ class CandidateSampler:
             of.append(owners[found.source])
         return self._candidates(np.concatenate(every), np.concatenate(of), len(poses), deadline)
 
+    def sample_at_random(self, pose: Array) -> "PositionSample":
+        """The candidates of a pose (4, 4) to which random starts lead, where no parameter that was tried reaches it."""
+        found = self.solver.random_solutions(pose)
+        if len(found):
+            found = self.solver.judged(found, pose).q
+        return self._candidates(found, np.zeros(len(found), dtype=np.int64), 1, NEVER)[0]
+
     def _candidates(self, found: Array, of: NDArray[np.int64], count: int, deadline: Deadline) -> "list[PositionSample]":
         """Those of configurations found (k, n) that are free, at every full turn, for each of `count` positions."""
         free = np.concatenate([self.free(found[each]) for each in _slices(len(found), BLOCK, deadline)])
@@ -503,8 +509,11 @@ class CandidateSampler:
         found = self.collision.copy().distance_rows(q, beyond=self.spec.clearance)
         return np.asarray((found < self.spec.clearance).all(axis=0))
 
-    def widest(self, pose: Array, values: Array) -> tuple[float, tuple[str, str]]:
-        """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair."""
+    def widest(self, pose: Array, values: Array) -> tuple[float, tuple[str, str]] | None:
+        """The largest of the smallest distances [m] at up to MEASURED configurations that reach `pose`, and its pair.
+
+        None if no configuration with one of the parameters `values` (s, r) reaches it.
+        """
         assert self.collision is not None
         q = np.concatenate(
             [
@@ -512,6 +521,8 @@ class CandidateSampler:
                 for each in _slices(len(values), BLOCK)
             ]
         )
+        if not len(q):
+            return None
         q = q[:: -(-len(q) // MEASURED)]
         least = [self.collision.least_distance(each[None]) for each in q]
         apart, _, pair = max(least)
