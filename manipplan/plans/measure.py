@@ -38,6 +38,8 @@ from manipplan.timing.verify import LimitUse, jerk_use, limit_use, torque_use
 STEP, LEAST, POSES = 2e-3, 1500, 2001
 #: Tolerance below which this joint motion is smaller, as chords leave the tool's way by its square, and smallest share of it.
 CHORDS, SMALLEST_SHARE = 2.5e-5, 0.05
+#: By which factors it is smaller where a tolerance is exceeded, which chords may cause.
+FINER = 1, 4, 16
 
 
 def tool_distances(
@@ -62,6 +64,23 @@ def tool_distances(
     """
     least = min(part for part in (tolerance.position, tolerance.rotation) if part is not None) if tolerance else CHORDS
     step = STEP * float(np.clip(np.sqrt(least / CHORDS), SMALLEST_SHARE, 1.0))
+    for finer in FINER:
+        found = _distances_at(path, step / finer, duration, kinematics, workspace_path, along, tolerance)
+        if tolerance is None or not any(each.excess(tolerance, "path") for each in found):
+            break
+    return found
+
+
+def _distances_at(
+    path: JointPath,
+    step: float,
+    duration: float,
+    kinematics: Kinematics,
+    workspace_path: CartesianPath,
+    along: Sequence[PathPart],
+    tolerance: Tolerance | None,
+) -> tuple[Deviation, Deviation]:
+    """The same, measured on chords between poses between which no joint moves by more than `step` [rad or m]."""
     free, fine = kinematics.free_motion, np.union1d(path.fine_samples(step), path.breaks)  # which are dense at corners
     parts = along or (PathPart(begin=0.0, end=duration),)
     left, missed, ways = [], [], []

@@ -111,7 +111,8 @@ class Layers:
     """Candidates q[i] (k_i, n) at each of L positions, with their manipulability m[i] (k_i,).
 
     A path takes one candidate of each layer. It is continuous when every joint's step between neighbouring layers is
-    below an ε, and below what `joint_pace` and `pose_step` allow; the step of a continuous joint is wrapped to (-π, π].
+    below an ε, and below what `joint_pace`, `pose_step` and `longest` allow; the step of a continuous joint is wrapped to
+    (-π, π].
 
     Attributes:
         q: configurations of each layer, (k_i, n) float64 [rad or m], contiguous; never copied or changed.
@@ -126,6 +127,8 @@ class Layers:
             layers with s and sampling; None: any.
         pose_step: largest step of a joint from one given pose of the path to the next [rad or m], for the same layers; between
             layers it is shared by the number of poses from one to the next. None: any.
+        longest: largest step of a joint from each layer to the next (L - 1,), or (L,) where they are closed [rad or m]; None:
+            any.
         turn_middles: (n,) the middle of the limits of each joint of which candidates are listed at all full turns inside these,
             nan for others; None: of no joint. A layer with a single candidate need not be listed so.
     """
@@ -140,6 +143,7 @@ class Layers:
     sampling: "PathSampling | None" = None
     joint_pace: Array | None = None
     pose_step: float | None = None
+    longest: Array | None = None
     turn_middles: Array | None = None
 
     @classmethod
@@ -329,4 +333,6 @@ def step_limits(layers: Layers, epsilon: Array) -> Array:
         limits = np.minimum(limits, layers.ways[:, None] * layers.joint_pace)
     if layers.pose_step is not None:
         limits = np.minimum(limits, layers.poses_passed[:, None] * layers.pose_step)
+    if layers.longest is not None:
+        limits = np.minimum(limits, layers.longest[:, None])
     return limits

@@ -22,7 +22,7 @@ from manipplan.search.max_min import SearchResult, max_min_search, search_within
 from manipplan.search.program import PoseRows, joint_path
 from manipplan.search.refine import Refinement, refine
 from manipplan.search.sampling import CandidateSampler, sample_layers
-from manipplan.search.sweep import full_turns
+from manipplan.search.sweep import full_turns, path_steps
 from manipplan.support.checks import Array, ArrayLike
 from manipplan.support.deadline import NEVER, Deadline, TimeLimit, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
@@ -108,6 +108,9 @@ CALM = np.deg2rad(7.0)
 CALM_SHARE = 0.93
 #: What can be done where the tool leaves the path, or bodies touch, between the positions.
 MORE_POSITIONS = "Take more positions"
+#: By how much steps of a refined path may be longer than those of the path that the search found, a factor of the latter and at
+#: least the second [rad or m], where it would jump to another branch of solutions, as where the arm is almost stretched.
+JUMPS = 2.0, 0.02
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
 #: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
@@ -405,13 +408,15 @@ class ToolPathPlanner:
     ) -> RefinedToolPath:
         """The same for the path that the search found alone; `layers` of the search."""
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
-        seed, ending = self._seed_of(found, hold_start=hold_start)
+        seed, seed_is_inside, ending = self._seed_of(found, hold_start=hold_start)
         self.check_ending(ending)
         limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - RESERVED * ending, SHORTEST)
-        refined = refine(
-            layers or self.layers, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress
-        )
-        path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
+        layers, is_for_speed = layers or self.layers, layers is not None
+        for bounded in (layers, replace(layers, longest=self._without_jumps(found))):
+            refined = refine(bounded, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
+            path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
+            if not (seed_is_inside & ~is_inside).any():
+                break
         loose = np.flatnonzero(self._touching(path) | ~is_inside)
         return RefinedToolPath(
             search=found,
@@ -422,20 +427,29 @@ class ToolPathPlanner:
             ending=ending,
             robot=self.robot,
             demand=self.demand,
-            is_for_speed=layers is not None,
+            is_for_speed=is_for_speed,
         )
 
-    def _seed_of(self, found: SearchResult, *, hold_start: bool) -> tuple[JointPath, float]:
-        """The joint path through the candidates of a path found, and the time that timing and checks are likely to take [s]."""
+    def _without_jumps(self, found: SearchResult) -> Array:
+        """Bounds on the steps (k,) of a refined path that stays on the branches of a path found."""
+        factor, least = JUMPS
+        steps = np.abs(path_steps(found.q, self.layers.continuous, closed=self.layers.closed)).max(axis=1)
+        return np.asarray(np.maximum(factor * steps, least))
+
+    def _seed_of(self, found: SearchResult, *, hold_start: bool) -> tuple[JointPath, NDArray[np.bool_], float]:
+        """The joint path through the candidates of a path found, and in which intervals it follows the workspace path.
+
+        Also returns the time that timing and checks are likely to take [s].
+        """
         began = work_time()
-        seed, _ = self._joined(found.q, None, hold_start=hold_start)
-        return seed, ENDING + ENDING_OF_JOINING * (work_time() - began)
+        seed, is_inside = self._joined(found.q, None, hold_start=hold_start)
+        return seed, is_inside, ENDING + ENDING_OF_JOINING * (work_time() - began)
 
     def improving_until(self, found: SearchResult) -> Deadline:
         """The time by which a path that was found has to be timed and checked to end by the deadline."""
         if np.isinf(self.deadline.at):
             return NEVER
-        _, ending = self._seed_of(found, hold_start=False)
+        *_, ending = self._seed_of(found, hold_start=False)
         return Deadline(at=self.deadline.at - RESERVED * ending)
 
     def closely_along(self, found: SearchResult, progress: Progress, *, hold_start: bool = False) -> RefinedToolPath:

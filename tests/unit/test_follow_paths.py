@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 import pinocchio as pin
 import pytest
+from scipy.optimize import minimize
+from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import manipplan as mp
@@ -337,3 +339,81 @@ def test_joints_keep_their_limits_where_they_turn_back_between_knots(panda):
     circle = mp.CartesianPath.circle(begin, (-0.02885211, 0.26843216, 0.7579842), (0.4099795, -0.559972, -0.719964))
     plan = mp.follow(panda, mp.CartesianPath.through(circle.sample(25)), tolerance=mp.Tolerance(position=5e-4, rotation=5e-3))
     assert plan.report.passed and plan.report.limits["position"].ratio <= 0
+
+
+def distances_from_line(points, line):
+    """Distances (k,) of points (k, 3) from a finely sampled line (m, 3)."""
+    _, nearest = cKDTree(line).query(points)
+    found = []
+    for first in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(line) - 2)):
+        edge, offset = line[first + 1] - line[first], points - line[first]
+        share = np.clip((offset * edge).sum(axis=1) / np.maximum((edge**2).sum(axis=1), 1e-300), 0.0, 1.0)
+        found.append(np.linalg.norm(offset - share[:, None] * edge, axis=1))
+    return np.min(found, axis=0)
+
+
+def assert_follows(robot, motion, path, position):
+    """The tool's way by Pinocchio stays within a distance of the path and comes past its given poses within it."""
+    data, way = robot.model.createData(), []
+    frame = robot.model.getFrameId(robot.tool, pin.FrameType.BODY)
+    times = motion.t[:-1, None] + np.diff(motion.t)[:, None] * np.linspace(0, 1, 41)
+    for q in motion(np.union1d(times.ravel(), np.linspace(0, motion.duration, 20_001))):
+        pin.framesForwardKinematics(robot.model, data, q)
+        way.append(data.oMf[frame].translation.copy())
+    line = path(np.union1d(np.linspace(0, 1, 100_001), path.knots))[:, :3, 3]
+    assert distances_from_line(np.array(way), line).max() <= position
+    assert distances_from_line(path(path.knots)[:, :3, 3], np.array(way)).max() <= position
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("position", [1e-5, 1e-6, 3e-7])
+@pytest.mark.parametrize("name", ["panda", "ur5"])
+def test_small_tolerances_hold_at_corners(name, position):
+    """Knots were as dense as for half of the default tolerance, and measured on chords that cut off a corner."""
+    robot = mp.load_robot(name)
+    q = {"panda": [0, -0.5, 0, -2.0, 0, 1.6, 0.8], "ur5": [0.3, -1.2, 1.4, -1.7, -1.5, 0]}[name]
+    poses = np.tile(robot.kinematics().pose(q), (4, 1, 1))
+    poses[:, :3, 3] += np.array([[0, 0, 0], [0.03, 0.12, -0.1], [0.03, 0.15, -0.02], [-0.05, 0.02, 0.0]])
+    path = mp.CartesianPath.through(poses)
+    plan = mp.follow(robot, path, tolerance=mp.Tolerance(position=position, rotation=1e-4))
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert_follows(robot, plan.trajectory, path, position)
+
+
+@pytest.mark.slow
+def test_a_refined_path_stays_on_its_branch_where_the_arm_is_almost_stretched():
+    """The refinement moved some positions to the other posture of the elbow, from which the path between cannot be followed."""
+    robot, task = mp.load_robot("so100"), mp.Task.position()
+    begin = np.array([0.7076, 2.7099, -2.9054, -0.4206, -1.2687])
+    end = np.array([0.715, 2.7236, -2.7308, -0.5535, -1.0387])
+    poses = robot.kinematics(task).pose(begin + (end - begin) * np.linspace(0, 1, 12)[:, None])
+    path = mp.CartesianPath.through(poses)
+    plan = mp.follow(robot, path, objective=mp.PathObjective(task=task))
+    assert plan.status is mp.Status.FOLLOWED and plan.report.passed
+    assert_follows(robot, plan.trajectory, path, 1e-4)
+
+
+@pytest.mark.slow
+def test_poses_that_no_sample_reaches_get_configurations_from_random_starts():
+    """At the edge of the reach; the motion exists, as the poses are those of one."""
+    robot, task = mp.load_robot("tiago"), mp.Task.position()
+    kinematics = robot.kinematics(task)
+    seen = []
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        lower, upper = np.maximum(robot.limits.lower, -3), np.minimum(robot.limits.upper, 3)
+        starts = rng.uniform(lower, upper, (500, robot.n))
+        direction = rng.normal(size=3)
+        first = starts[np.argmax(kinematics.pose(starts)[:, :3, 3] @ direction)]
+        found = minimize(
+            lambda q, d=direction: -kinematics.pose(q)[:3, 3] @ d, first, bounds=list(zip(lower, upper, strict=True))
+        )
+        begin = np.clip(found.x + rng.normal(size=robot.n) * 0.02, lower, upper)
+        q = begin + (np.clip(begin + rng.normal(size=robot.n) * 0.05, lower, upper) - begin) * np.linspace(0, 1, 6)[:, None]
+        if mp.Scene().collision_model(robot).in_collision_rows(q, clearance=0.005).any():
+            continue
+        poses = kinematics.pose(q)
+        seen.append(mp.follow(robot, mp.CartesianPath.through(poses), objective=mp.PathObjective(task=task)))
+        if len(seen) == 2:
+            break
+    assert [each.status for each in seen] == [mp.Status.FOLLOWED] * 2
