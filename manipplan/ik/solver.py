@@ -73,7 +73,7 @@ POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and minimum of all of a pose, for an arm with few joints.
 STARTS, ALL_STARTS = 8, 64
 #: Number of samples of an arm with few joints that are solved together, with so many starts each.
-TOGETHER = 512
+TOGETHER = 128
 METHODS = ("auto", "closed-form", "newton")
 
 

@@ -194,7 +194,7 @@ class Request:
             taken=taken,
             positions=None if positions is None else check_positions(positions, closed=False),
             integral=objective.integral(robot),
-            epsilon=check_epsilon(epsilon, robot.continuous_joints),
+            epsilon=check_epsilon(epsilon, robot.turns),
             samples=samples,
             tolerance=tolerance,
             own_tolerance=own,
@@ -351,7 +351,7 @@ def carry(
         positions: number of positions at which configurations are enumerated, or their s (L,) from 0 to 1; None: those of
             `follow`, for the tool whose way is longer.
         objective: as in `follow`; its measure is that of each tool, its task None or Task.pose(length=...).
-        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
+        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,); below π where it turns.
         samples: number of grid points of each arm's redundancy; None: as in `follow`, and 32 for an arm of seven joints without
             a closed form, such as Baxter's, as each takes a search.
         tolerance: how far the object may leave the path, and the tools their poses relative to each other. Default 0.1 mm and

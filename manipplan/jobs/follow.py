@@ -188,7 +188,7 @@ def follow(
         objective: its task and its measure define the manipulability whose minimum is maximised; power and metric only count in
             the g that is reported. Task.pose(), the default, follows the poses; Task.pointing(axis), Task.position() and others
             leave a motion of the tool free.
-        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,).
+        epsilon: maximum step of a joint between neighbouring positions [rad or m], one number or (n,); below π where it turns.
         samples: number of grid points of the redundancy; see `sample_layers`. With two parameters of an arm with a closed
             form 48 of each are tried first. On an arm with a closed form and one degree of redundancy more are added where
             joints of neighbouring ones differ by more than 0.05.
@@ -243,7 +243,7 @@ def follow(
             )
         raise InvalidInputError("objective", objective, wanted)
     notify = rising(as_callback(progress))
-    epsilon = check_epsilon(epsilon, robot.continuous_joints)
+    epsilon = check_epsilon(epsilon, robot.turns)
     clearance = number("clearance", clearance, least=0.0)
     check_timing_limits(robot.limits)
     given = None if start is None else read_configuration("start", start, robot)

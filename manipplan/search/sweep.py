@@ -173,17 +173,17 @@ def full_turns(q: Array, continuous: NDArray[np.bool_]) -> Array:
     return np.where(continuous, 2 * np.pi * np.round((q[-1] - q[0]) / (2 * np.pi)), 0.0)
 
 
-def check_epsilon(value: ArrayLike, continuous: NDArray[np.bool_], argument: str = "epsilon") -> Array:
-    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for continuous joints."""
-    n = len(continuous)
+def check_epsilon(value: ArrayLike, turns: NDArray[np.bool_], argument: str = "epsilon") -> Array:
+    """`value`, one number or n of them, as read-only (n,): finite, above zero, below π for joints that turn, a mask (n,)."""
+    n = len(turns)
     array = number_array(argument, value)
     if array.shape not in ((), (n,)):
         raise InvalidInputError(argument, value, f"one number or {n} of them, one per joint")
     if not ((array >= LEAST_EPSILON) & (array <= LARGEST)).all():
         raise InvalidInputError(argument, value, f"finite numbers above zero, {LEAST_EPSILON:g} to {LARGEST:g} [rad or m]")
     array = np.broadcast_to(array, (n,)).copy()
-    if (array[continuous] >= np.pi).any():
-        raise InvalidInputError(argument, value, "below π for continuous joints")
+    if (array[turns] >= np.pi).any():
+        raise InvalidInputError(argument, value, "below π for joints that turn")
     array.flags.writeable = False
     return array
 

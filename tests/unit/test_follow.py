@@ -511,6 +511,7 @@ def test_limits_that_gravity_exceeds(panda, line):
         ({"epsilon": np.nan}, "epsilon: got nan"),
         ({"epsilon": "0.1"}, "epsilon: got '0.1'"),
         ({"epsilon": None}, "epsilon: got None"),
+        ({"epsilon": 4.0}, "epsilon: got 4.0; allowed: below π"),
         ({"epsilon": [0.1] * 6}, "epsilon: .*7 of them"),
         ({"objective": 1.0}, "objective: got 1.0; allowed: a PathObjective"),
         ({"objective": None}, "objective: got None; allowed: a PathObjective"),
