@@ -15,7 +15,7 @@ from manipplan.ik.solver import Solver
 from manipplan.kinematics.kinematics import Kinematics
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
-from manipplan.paths.tolerance import Tolerance
+from manipplan.paths.tolerance import SMALLEST, Tolerance
 from manipplan.search.layers import INSIDE_LIMITS
 from manipplan.search.sweep import full_turns
 from manipplan.support.checks import Array
@@ -371,7 +371,7 @@ def _with_knots(
         outside = solver.robot.limits.outside(_extremes(joints, s)).max(axis=(1, 2)) > BEYOND
         wide = np.flatnonzero((np.abs(errors) > allowed).any(axis=(1, 2)) | outside)
         middle = (s[wide] + s[wide + 1]) / 2
-        before, worst = worst, float((np.abs(errors[wide]) / most).max(initial=0.0))
+        before, worst = worst, float((np.abs(errors[wide]) / np.maximum(most, SMALLEST)).max(initial=0.0))
         if not len(wide) or k == MOST_DOUBLINGS or (k >= DOUBLINGS and worst > HELPS * before):
             loose = wide[(np.abs(errors[wide]) > most).any(axis=(1, 2)) | outside[wide]]
             middle = (s[loose] + s[loose + 1]) / 2

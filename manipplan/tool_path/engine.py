@@ -410,9 +410,9 @@ class ToolPathPlanner:
         inner = self.tolerance.scaled(AT_POSITIONS) if self.tolerance is not None else None
         seed, seed_is_inside, ending = self._seed_of(found, hold_start=hold_start)
         self.check_ending(ending)
-        limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - RESERVED * ending, SHORTEST)
         layers, is_for_speed = layers or self.layers, layers is not None
         for bounded in (layers, replace(layers, longest=self._without_jumps(found))):
+            limit = None if np.isinf(self.deadline.at) else max(self.deadline.left - RESERVED * ending, SHORTEST)
             refined = refine(bounded, found, tolerance=inner, hold_start=hold_start, time_limit=limit, progress=progress)
             path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
             if not (seed_is_inside & ~is_inside).any():
