@@ -39,7 +39,7 @@ from manipplan.support.checks import COINCIDENT, Array
 from manipplan.support.deadline import NEVER, Deadline
 from manipplan.support.display import one_line
 from manipplan.support.kernels import struct
-from manipplan.symbolic.free_motion import FreeMotion
+from manipplan.symbolic.free_motion import FreeMotion, Turns
 from manipplan.symbolic.task import Task
 
 
@@ -133,7 +133,10 @@ def descend(
         step = _compute_damped_step(slope, error[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
         stuck = ((q[rows] <= lower) & (step < 0)) | ((q[rows] >= upper) & (step > 0))
-        step = _compute_damped_step(slope * ~stuck[:, None, :], error[rows], damping[rows])
+        some = stuck.any(axis=1)
+        if some.any():
+            held_back = slope[some] * ~stuck[some, None, :]
+            step[some] = _compute_damped_step(held_back, error[rows[some]], damping[rows[some]])
         moved = np.clip(q[rows] + step, lower, upper)
         new_error, new_jacobian = error_of(rows, moved)
         good = (new_error**2).sum(axis=1) < (error[rows] ** 2).sum(axis=1)
@@ -202,8 +205,10 @@ def errors_to(kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array) 
     """What is missing (k, r) to poses (k, 4, 4) at q (k, n) [m, rad], and the rows (k, r, n) by which joints reduce it."""
     from scipy.spatial.transform import Rotation
 
-    scale = np.array([1.0] * 3 + [1.0 / kinematics.task.length] * 3)
     reached = kinematics.pose(q)
+    if free.turns is Turns.ANY and free.bounds is None and not len(free.shifts):
+        return poses[:, :3, 3] - reached[:, :3, 3], kinematics.jacobian(q)[:, :3]
+    scale = np.array([1.0] * 3 + [1.0 / kinematics.task.length] * 3)
     nearest = free.nearest(reached, poses)
     turns = Rotation.from_matrix(nearest[:, :3, :3] @ np.swapaxes(reached[:, :3, :3], 1, 2)).as_rotvec()
     counting = free.fixed_rows(nearest)
