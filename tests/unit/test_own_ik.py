@@ -219,7 +219,9 @@ def test_a_path_does_not_leave_what_the_solver_returns():
     solutions = mp.inverse_kinematics(arm, first).q
     start = solutions[(solutions[:, 2] > 1.3) & (np.abs(solutions) < 3.6).all(axis=1)][0]
     assert mp.follow(library, path, start=start, throw=False).status is mp.Status.FOLLOWED
-    assert mp.follow(arm, path, start=start, throw=False).status is mp.Status.NOT_CONNECTED
+    led = mp.follow(arm, path, start=start)
+    elbow = led.trajectory(np.linspace(led.path_begin, led.trajectory.duration, 50))[:, 2]
+    assert led.path_begin > 0 and ((elbow > 1.3).all() or (elbow < 0).all())
     with pytest.raises(mp.errors.PlanningError, match="no program was found"):
         mp.sequence(arm, start, [mp.MoveAlong(path)])
     begins = mp.follow(arm, path, throw=False)
