@@ -114,21 +114,30 @@ class MovingArm:
 DESCENT_STEPS, DAMPING, BETTER, WORSE, LONGEST = 60, 1e-2, 1 / 3, 4.0, 0.5
 #: Size of the error at which no more steps are made [m].
 DONE = 1e-11
+#: Steps towards a solution end where a number of them did not reduce the error to this share: the start leads nowhere.
+PATIENCE, STALLED = 10, 0.99
 
 
 def descend(
-    limits: JointLimits, error_of: Callable[[NDArray[np.intp], Array], tuple[Array, Array]], q: Array, held: NDArray[np.bool_]
+    limits: JointLimits,
+    error_of: Callable[[NDArray[np.intp], Array], tuple[Array, Array]],
+    q: Array,
+    held: NDArray[np.bool_],
+    *,
+    stalled: float = np.inf,
 ) -> tuple[Array, Array]:
     """Configurations (k, n) inside the limits after damped steps from q (k, n), and their errors (k, r) [m].
 
     `error_of(rows, q)` returns the error (j, r), target minus current, of rows (j,) at q (j, n), and the task Jacobian
-    (j, r, n). Held joints do not move.
+    (j, r, n). Held joints do not move. Where PATIENCE steps do not reduce the size of the error to a share `stalled`, no more
+    are made.
     """
     q, lower, upper = q.copy(), limits.lower, limits.upper
     rows = np.arange(len(q))
     error, jacobian = error_of(rows, q)
     damping = np.full(len(q), DAMPING)
-    for _ in range(DESCENT_STEPS):
+    before, moves = np.full(len(q), np.inf), np.ones(len(q), dtype=np.bool_)
+    for k in range(DESCENT_STEPS):
         slope = jacobian[rows] * ~held
         step = _compute_damped_step(slope, error[rows], damping[rows])
         # a joint at a limit that the step would take further does not move
@@ -142,7 +151,10 @@ def descend(
         good = (new_error**2).sum(axis=1) < (error[rows] ** 2).sum(axis=1)
         q[rows[good]], error[rows[good]], jacobian[rows[good]] = moved[good], new_error[good], new_jacobian[good]
         damping[rows] = np.clip(np.where(good, BETTER, WORSE) * damping[rows], 1e-12, 1e6)
-        rows = np.flatnonzero(np.linalg.norm(error, axis=1) > DONE)
+        size = np.linalg.norm(error, axis=1)
+        if k % PATIENCE == PATIENCE - 1:
+            moves, before = size <= stalled * before, size
+        rows = np.flatnonzero((size > DONE) & moves)
         if not len(rows):
             break
     return q, error
@@ -197,7 +209,8 @@ def search_rows(
     kinematics: Kinematics, free: FreeMotion, q: Array, poses: Array, moves: NDArray[np.bool_]
 ) -> tuple[Array, Array]:
     """Configurations (k, n) inside the limits after damped steps from far-away ones, and their largest errors (k,) [m, rad]."""
-    q, error = descend(kinematics.robot.limits, lambda rows, q: errors_to(kinematics, free, q, poses[rows]), q, ~moves)
+    limits = kinematics.robot.limits
+    q, error = descend(limits, lambda rows, q: errors_to(kinematics, free, q, poses[rows]), q, ~moves, stalled=STALLED)
     return q, np.abs(error).max(axis=1, initial=0.0)
 
 
