@@ -124,7 +124,7 @@ def descend(
     q: Array,
     held: NDArray[np.bool_],
     *,
-    stalled: float = np.inf,
+    stalled: float = 1.0,
 ) -> tuple[Array, Array]:
     """Configurations (k, n) inside the limits after damped steps from q (k, n), and their errors (k, r) [m].
 

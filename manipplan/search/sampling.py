@@ -131,7 +131,8 @@ def sample_layers(
             motion). Along a path that keeps to one value of a parameter its steps can be any; else they have to be below the ε
             of the search. None: 720 for one parameter, 96 for two, and for more as many as give about a million candidates;
             32, 10, 5, ... for arms without closed form; 48, 12, 6, ... for arms with fewer than six joints and a free motion.
-            With a free motion, samples that keep the whole pose are added.
+            With a free motion, samples that keep the whole pose are added. Random starts are tried at a position that no
+            sample reaches.
         held, method, seed: as in `inverse_kinematics`.
         scene: obstacles; default None.
         collisions: whether candidates in collision with an obstacle or with the arm itself are dropped.
@@ -203,6 +204,7 @@ def sample_layers(
         values=values,
         near=near_values,
         whole=usual if is_default else None,
+        at_random=is_default,
         spacing=between,
         executor=executor,
     )
@@ -242,6 +244,7 @@ class PathSampling:
         values: (s, r) parameters of redundancy that are tried at each position.
         near: (k, r) more of them, near a given configuration.
         whole: default numbers of samples, where samples that keep the whole pose are added; else None.
+        at_random: whether random starts are tried at a position that no sample reaches.
         spacing, executor: as in `sample_layers`.
     """
 
@@ -250,6 +253,7 @@ class PathSampling:
     values: Array
     near: Array
     whole: Sequence[int] | None
+    at_random: bool
     spacing: Array | None
     executor: Executor | None
 
@@ -278,7 +282,7 @@ class PathSampling:
                     notify(len(found) / len(poses), f"sampling positions: {sum(len(each.m) for each in found):,} candidates")
                 for each in job.result():
                     k = len(found)
-                    sample = each if each.reached else self.sampler.sample_at_random(poses[k])
+                    sample = self.sampler.sample_at_random(poses[k]) if self.at_random and not each.reached else each
                     if not len(sample.q):
                         raise _no_candidate(name(k), self.sampler, poses[k], sets[k], sample.reached)
                     found.append(sample)
