@@ -72,7 +72,7 @@ AT_RANDOM = 128
 POSE, PLANAR_POSE = 6, 3
 #: Number of random starts per sample, and minimum of all of a pose, for an arm with few joints.
 STARTS, ALL_STARTS = 8, 64
-#: Number of samples of an arm with few joints that are solved together, with so many starts each.
+#: Number of samples of an arm with few joints that are solved together, if each has STARTS starts.
 TOGETHER = 128
 METHODS = ("auto", "closed-form", "newton")
 
