@@ -52,6 +52,9 @@ def sequence(
     chose. If one fails or keeps less than its bound, the search is repeated with what it kept. Of programs whose bounds differ
     by less than 1 % it takes the one with the smallest sum of g on straight lines.
 
+    A program that begins with a path goes on from the start where it reaches the path's first pose; if no motion leads on from
+    there, another configuration may begin the path.
+
     A part is carried as it was grasped. A goal that is a pose of the part has configurations of its own for each grasp, and
     both are chosen together.
 
@@ -103,25 +106,15 @@ def sequence(
     legs = read_steps(steps, robot, q_start, blend=blend, turns=seeding.shifts == NEAREST)
     check_parts([(f"steps[{k}]", each) for k, each in enumerate(steps)], robot, scene)
     first = State(robot=robot, scene=scene)
-    nodes: list[list[Node]] = []
-    known, needed = first, needed_by(legs)
-    part_poses = [PartPoses.at_first(robot, scene, needed[0])]
     planners = ToolPathPlanners(objective=objective, clearance=clearance, deadline=limit.deadline)
+    planner = _planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque)
     try:
-        for k, leg in enumerate(legs):
-            in_time(0.2 * k / len(legs), f"configurations of step {leg.number}")
-            nodes.append(nodes_of(leg, known, q_start, planners, part_poses, needed[k + 1]))
-            known, part_poses = _known_after(leg, known), part_poses_after(nodes[-1])
-        search = ProgramSearch(
-            legs=legs,
-            nodes=nodes,
-            start=q_start,
-            state=first,
-            planners=planners,
-            planner=_planner(objective, shape, replace(seeding, shifts=AS_GIVEN), clearance, torque),
-            deadline=work_time() + seeding.time_limit * max(sum(each.is_free for each in legs), 1),
-        )
+        search = _search(legs, first, q_start, planners, planner, seeding.time_limit, in_time)
         chosen = search.best(part(in_time, 0.2, 0.9))
+        if chosen is None and search.leads_nowhere:
+            legs = read_steps(steps, robot, q_start, blend=blend, turns=seeding.shifts == NEAREST, leads_in=True)
+            search = _search(legs, first, q_start, planners, planner, seeding.time_limit, in_time)
+            chosen = search.best(part(in_time, 0.2, 0.9))
         limit.check_ending(search.ending)
     except OutOfTimeError:
         late = PartialPlan(robot=robot, scene=scene, status=Status.NOT_IN_TIME)
@@ -139,7 +132,7 @@ def sequence(
         chosen.along[-1].state,
         steps,
         {leg.number: leg for leg in legs},
-        goals={leg.number: nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},
+        goals={leg.number: search.nodes[k][chosen.nodes[k]].goal_index for k, leg in enumerate(legs) if leg.targets},
         blend=blend,
         objective=objective,
         clearance=clearance,
@@ -153,6 +146,34 @@ def sequence(
         raise PlanningError(f"the program did not pass its check\n{program}", program)
     notify(1.0, "done")
     return program
+
+
+def _search(
+    legs: list[Leg],
+    first: State,
+    q_start: Array,
+    planners: ToolPathPlanners,
+    planner: Planner,
+    seconds: float,
+    notify: Progress,
+) -> ProgramSearch:
+    """The search for a program of these legs, with the configurations of each; each free motion may take some seconds."""
+    nodes: list[list[Node]] = []
+    known, needed = first, needed_by(legs)
+    part_poses = [PartPoses.at_first(first.robot, first.scene, needed[0])]
+    for k, leg in enumerate(legs):
+        notify(0.2 * k / len(legs), f"configurations of step {leg.number}")
+        nodes.append(nodes_of(leg, known, q_start, planners, part_poses, needed[k + 1]))
+        known, part_poses = _known_after(leg, known), part_poses_after(nodes[-1])
+    return ProgramSearch(
+        legs=legs,
+        nodes=nodes,
+        start=q_start,
+        state=first,
+        planners=planners,
+        planner=planner,
+        deadline=work_time() + seconds * max(sum(each.is_free for each in legs), 1),
+    )
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:

@@ -15,10 +15,12 @@ import numpy as np
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.goal import Target
 from manipplan.goals.solutions import nearest
+from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
 from manipplan.plans.result import Plan
 from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotion, ToolPathPlanners, motion_of_leg
 from manipplan.programs.legs import Leg, State, rounded
+from manipplan.programs.steps import MoveAlong
 from manipplan.robots.limits import nearest_turns
 from manipplan.robots.robot import Robot
 from manipplan.support.checks import COINCIDENT, Array
@@ -128,6 +130,12 @@ class ProgramSearch:
     def late(self) -> bool:
         """Whether the time is over, but for that for timing and checks."""
         return work_time() >= self.deadline or self.planners.deadline.left < self.ending
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Whether no motion leads on from the start, which is to begin the first path of the tool."""
+        begins_path = any(isinstance(step, MoveAlong) and isinstance(step.path, CartesianPath) for _, step in self.legs[0].rest)
+        return not self.legs[0].is_free and begins_path and bool(np.isneginf(self._between[0]).all())
 
     def _chain(self, reached: float | None) -> tuple[tuple[int, ...] | None, float]:
         """The nodes of a program, and the largest bound of all.

@@ -61,11 +61,18 @@ class Leg:
 
 
 def read_steps(
-    steps: Sequence[ProgramStep], robot: Robot, start: Array, *, blend: float = 0.0, turns: bool = False
+    steps: Sequence[ProgramStep],
+    robot: Robot,
+    start: Array,
+    *,
+    blend: float = 0.0,
+    turns: bool = False,
+    leads_in: bool = False,
 ) -> list[Leg]:
     """The legs of a program that begins at start (n,) and has blends of a size [m].
 
-    With `turns`, full turns of configurations reach a goal as well.
+    With `turns`, full turns of configurations reach a goal as well. With `leads_in`, a path whose first pose the start reaches
+    may begin in another configuration.
 
     Raises InvalidInputError, which names the step, for what is no step or does not fit the robot.
     """
@@ -77,7 +84,7 @@ def read_steps(
     kinematics = robot.kinematics()
     none = ConstraintSet.of(robot, ())
     legs = [Leg(number=0, targets=(), approach=None, constraints=none, rest=(), is_free=False)]
-    at: Array | None = kinematics.pose(start)  # the tool's pose where it is known
+    at: Array | None = None if leads_in else kinematics.pose(start)  # the tool's pose where it is known
     for k, step in enumerate(steps):
         if isinstance(step, MoveTo):
             targets, at = _targets(k, step, robot, turns), None

@@ -507,3 +507,32 @@ def test_a_time_limit_that_is_not_reached_changes_no_program(hand, cell, steps, 
 def test_a_time_limit_of_a_program_that_is_none_is_refused(hand, limit):
     with pytest.raises(mp.errors.InvalidInputError, match="^time_limit: got"):
         mp.sequence(hand, "default", [mp.MoveTo("default")], time_limit=limit)
+
+
+def turned_line(robot, start):
+    """A path in place from the tool at a start (n,), which turns the tool by 1 rad about its axis."""
+    begin = robot.kinematics().pose(start)
+    turn = np.eye(4)
+    turn[:2, :2] = [[np.cos(1), -np.sin(1)], [np.sin(1), np.cos(1)]]
+    return mp.CartesianPath.line(begin, begin @ turn)
+
+
+@pytest.mark.parametrize("before", [[], [mp.Wait(0.1)]])
+def test_where_no_motion_leads_on_from_the_start_the_path_begins_in_another_configuration(before):
+    robot = mp.load_robot("ur5_limited")
+    start = np.array([0.3, -1.2, 1.4, -1.7, -1.5, robot.limits.upper[5]])
+    program = mp.sequence(robot, start, [*before, mp.MoveAlong(turned_line(robot, start))])
+    mark = program.marks[-1]
+    q = program.trajectory(np.array([0.0, mark.path_begin, program.trajectory.duration]))
+    assert program.passed and mark.path_begin > 1.0
+    np.testing.assert_array_equal(q[0], start)
+    assert start[5] - q[1, 5] > 1.0  # the joint that stood at its limit
+    expected = turned_line(robot, start)
+    np.testing.assert_allclose(robot.kinematics().pose(q[1:]), [expected(0.0), expected(1.0)], atol=1e-4)
+
+
+def test_a_start_from_which_a_motion_leads_on_is_kept():
+    robot = mp.load_robot("ur5_limited")
+    start = np.array([0.3, -1.2, 1.4, -1.7, -1.5, robot.limits.upper[5] - 2.0])
+    program = mp.sequence(robot, start, [mp.MoveAlong(turned_line(robot, start))])
+    assert program.passed and len(program.parts) == 1 and program.marks[0].path_begin == 0.0
