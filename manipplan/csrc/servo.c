@@ -61,6 +61,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define TURNING 3.0      /* speed of that turn where no joint in it has a velocity limit [rad/s] */
 #define SETTLED 60       /* iterations of (1) after which what is left may be rounding of large multipliers */
 #define AT_REST 1e-3     /* share of its speed below which a joint that cannot go on has reached its limit */
+#define LARGEST 1e6      /* speed from which on a command is none [m/s, rad/s] */
 #define STAYING 0.03     /* time for which a joint that was pushed against its limit stays there [s] */
 
 typedef struct {
@@ -93,10 +94,11 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; for how long each joint stays at its limit; the nearest knot, whether it is known, and the planned
+       which of these there are; for how long each joint stays at its limit; which small singular values' directions turn round; the
+       nearest knot, whether it is known, and the planned
        positions there */
     double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
-    long guessed, has_inside, has_way, leaves, knot, placed;
+    long reverses[6], guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
     /* the result */
     double result[16], twist[6], speed, followed, slip, seconds, metres, wall, smallest, clearance;
@@ -113,7 +115,7 @@ typedef struct {
     double low[MOST], high[MOST];
     double inside[MOST], way[MOST];
     double guard[ROWS][MOST], fall[ROWS]; /* unit directions in which singular values grow, and how fast they may move */
-    long has_inside, has_way, leaves, kind, worst, guards;
+    long reverses[ROWS], has_inside, has_way, leaves, kind, worst, guards, far;
     double seconds;
 } Work;
 
@@ -539,6 +541,17 @@ static double turned_after(const Servo *servo, const Work *w, const double *v, d
     return angle;
 }
 
+/* The part of the command along u_k and the directions that are lost with it: where several σ are nearly 0, the u turn into each other. */
+static double lost_with(const Work *w, long k) {
+    double sum = w->b[k] * w->b[k];
+    for (long l = 0; l < w->r; l++)
+        if (l != k) {
+            double both = clip(2 - 2 * w->s[l] / LOST, 0, 1) * clip(2 - 2 * w->s[k] / LOST, 0, 1);
+            sum += both * w->b[l] * w->b[l];
+        }
+    return sqrt(sum);
+}
+
 /* g_k of the directions with small σ_k: one after another. */
 static void singular_rates(const Servo *servo, Work *w) {
     double T = duration(servo), horizon = T / share_of_way(w);
@@ -570,14 +583,16 @@ static void singular_rates(const Servo *servo, Work *w) {
         double pass = share * share * clip(1 - bend / STRAIGHT, 0, 1) * clip(length / SPUN - 1, 0, 1);
         double sd = most(s, most(NUDGE, AT_POLE * lambda) * pass);
         double damped = b * sd / (sd * sd + lambda * lambda + 1e-12), now = 0;
-        /* both ways are the same at σ = 0: the arm keeps the one in which it moves */
+        /* both ways are the same at σ = 0: the arm keeps the one in which it moves, unless it has begun to turn round */
         for (long i = 0; i < w->n; i++) now += v[i] * servo->qd[w->joint[i]];
-        if (sd > s && now * damped < 0 && s * fabs(damped) < BACKWARD * (w->size + STILL)) damped = -damped;
+        int against = sd > s && now * damped < 0;
+        w->reverses[k] = against && (servo->reverses[k] || s * fabs(damped) >= BACKWARD * (w->size + STILL));
+        if (against && !w->reverses[k]) damped = -damped;
         /* no faster than the arm can stop where b vanishes */
         double angle = turned_after(servo, w, v, s, b);
         double fade = clip(bend / BENT, 0, 1), cap = least(fastest, stopping(angle, force, T)), free = cap;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
-        double capped = clip(b / most(s, 1e-9), -cap, cap), approach = fade * capped + (1 - fade) * damped;
+        double capped = b * least(1 / most(s, 1e-9), cap / most(lost_with(w, k), 1e-9)), approach = fade * capped + (1 - fade) * damped;
         /* leaving a fold: the root of σ g + ½ κ T g² = b, not damped */
         double leaving = clip(toward / BENT, 0, 1), leave = damped;
         if (kb > 0) {
@@ -893,12 +908,11 @@ static void relieve(const Servo *servo, Work *w, double *x, double *force) {
     for (long i = 0; i <= w->n; i++) force[i] += t * (other[i] - force[i]);
 }
 
-/* The bounds of a joint with which it brakes before its limits with a share of its acceleration. */
-static void soft_bounds(const Servo *servo, long j, double *low, double *high) {
-    double T = duration(servo), force = BRAKING * servo->acceleration[j];
-    *low = servo->low[j], *high = servo->high[j];
-    *low = clip(-stopping(servo->q[j] - servo->lower[j], force, T), *low, *high);
-    *high = clip(stopping(servo->upper[j] - servo->q[j], force, T), *low, *high);
+/* The velocities from which a joint can brake before its limits with a share of its acceleration. */
+static void braking_bounds(const Servo *servo, long j, double *low, double *high) {
+    double T = duration(servo), force = BRAKING * servo->acceleration[j], speed = servo->velocity[j];
+    *low = clip(-stopping(servo->q[j] - servo->lower[j], force, T), -speed, speed);
+    *high = clip(stopping(servo->upper[j] - servo->q[j], force, T), -speed, speed);
 }
 
 /* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
@@ -916,17 +930,24 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
         for (long j = 0; j < joints; j++) w->W[k] -= rows[k][j] * fixed[j];
         for (long i = 0; i < n; i++) w->J[k][i] = rows[k][w->joint[i]];
     }
-    for (long i = 0; i < n; i++) soft_bounds(servo, w->joint[i], &w->low[i], &w->high[i]);
+    for (long i = 0; i < n; i++) {
+        long j = w->joint[i];
+        braking_bounds(servo, j, &w->low[i], &w->high[i]);
+        w->low[i] = clip(w->low[i], servo->low[j], servo->high[j]), w->high[i] = clip(w->high[i], servo->low[j], servo->high[j]);
+    }
     w->size = sqrt(dot(m, w->W, w->W));
     w->wall = 0, w->guards = 0, w->leaves = 0, w->kind = CLEAR, w->worst = w->r - 1, w->seconds = INFINITY;
     w->has_inside = servo->side != ANY && servo->has_inside, w->has_way = servo->side != ANY && servo->has_way;
     for (long i = 0; i < n; i++) w->inside[i] = servo->inside[w->joint[i]], w->way[i] = servo->way[w->joint[i]];
+    memset(w->reverses, 0, sizeof w->reverses);
     memcpy(velocity, fixed, (size_t)joints * sizeof *velocity);
     memset(force, 0, (size_t)(joints + 1) * sizeof *force);
     if (is_far(servo, w, x)) {
         for (long i = 0; i < n; i++) velocity[w->joint[i]] = x[i];
+        w->far = 1;
         return 1;
     }
+    w->far = 0;
     decompose(w, servo);
     for (long k = 0; k < w->r; k++) {
         w->b[k] = dot(m, w->U[k], w->W);
@@ -943,6 +964,26 @@ static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, d
     force[joints] = part[n];
     return solved;
 }
+
+/* The multipliers (joints) of the bounds in (1), without those of the accelerations; where there are none, `force`. */
+static void push_in_the_end(const Servo *servo, const Work *w, const double *force, double *pushed) {
+    double x[MOST], part[MOST + 1];
+    Work slow = *w;
+    memcpy(pushed, force, (size_t)servo->joints * sizeof *pushed);
+    for (long i = 0; i < w->n; i++) braking_bounds(servo, w->joint[i], &slow.low[i], &slow.high[i]);
+    if (w->far || !nearest_point(servo, &slow, x, part)) return;
+    for (long i = 0; i < w->n; i++) pushed[w->joint[i]] = part[i];
+}
+
+/* Whether a joint stands at the limit to which a force pushes it; for no force at any of its limits. */
+static int stands(const Servo *servo, long j, double force) {
+    double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
+    int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
+    int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
+    return (force >= 0 && above) || (force <= 0 && below);
+}
+
+static int is_pushed(const Servo *servo, long j, double force) { return force != 0 && stands(servo, j, force); }
 
 /* Rates of the task's rows (m) at joint velocities. */
 static void rates_of(const Servo *servo, const Work *w, const double *velocity, double *out) {
@@ -981,8 +1022,8 @@ static void find_limit(Servo *servo, const Work *w, const double *force) {
 /* Joint velocities for the twist, and the next singularity in its direction. */
 static int follow_twist(Servo *servo, double *velocity) {
     Work whole, free, *w = &whole;
-    long joints = servo->joints, blocked = 0;
-    double force[MOST + 1], fixed[MOST] = {0}, rate[ROWS], command[ROWS];
+    long joints = servo->joints;
+    double force[MOST + 1], pushed[MOST + 1], fixed[MOST] = {0}, rate[ROWS], command[ROWS], guess[36];
     whole.n = free.n = 0;
     for (long j = 0; j < joints; j++) { /* joints that do not carry the tool brake */
         int carries = 0;
@@ -994,28 +1035,31 @@ static int follow_twist(Servo *servo, double *velocity) {
     if (servo->knots) find_planned(servo);
     int solved = solve(servo, w, fixed, velocity, force);
     memcpy(command, w->W, sizeof command);
-    /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others */
-    for (long i = 0; i < whole.n; i++) {
-        long j = whole.joint[i];
-        double rest = AT_REST * least(servo->velocity[j], 1), near = 4 * rest * servo->slowest;
-        int above = servo->high[j] <= rest && servo->upper[j] - servo->q[j] <= near;
-        int below = servo->low[j] >= -rest && servo->q[j] - servo->lower[j] <= near;
-        if ((above && force[j] > 0) || (below && force[j] < 0)) servo->stays[j] = STAYING;
-        else servo->stays[j] = above || below ? servo->stays[j] - duration(servo) : 0;
-        if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]), blocked++;
-        else free.joint[free.n++] = j;
-    }
-    if (solved && blocked && free.n) {
-        double guess[36], pushed[MOST + 1];
-        memcpy(guess, servo->guess, sizeof guess);
-        solved = solve(servo, &free, fixed, velocity, pushed);
+    /* a joint that stands at its limit and is pushed on takes its column out of J: again for the others, until none of these is */
+    memcpy(guess, servo->guess, sizeof guess);
+    for (int turn = 0, known = 0; solved; turn++) {
+        long left = 0;
+        for (long i = 0; i < w->n; i++) {
+            long j = w->joint[i];
+            if (is_pushed(servo, j, force[j])) servo->stays[j] = STAYING;
+            else if (!turn && !stands(servo, j, 0)) servo->stays[j] = 0;
+            else if (!turn && servo->stays[j] > 0) { /* braking joints may hide for a moment that the law pushes it */
+                if (!known) known = 1, push_in_the_end(servo, w, force, pushed);
+                if (!is_pushed(servo, j, pushed[j])) servo->stays[j] -= duration(servo);
+            }
+            if (servo->stays[j] > 0) fixed[j] = clip(0, servo->low[j], servo->high[j]);
+            else free.joint[left++] = j;
+        }
+        if (left == w->n || !left) break;
+        free.n = left, w = &free;
+        solved = solve(servo, w, fixed, velocity, pushed);
         memcpy(servo->guess, guess, sizeof guess);
-        w = &free;
-        for (long i = 0; i < free.n; i++) force[free.joint[i]] = pushed[free.joint[i]];
+        for (long i = 0; i < left; i++) force[free.joint[i]] = pushed[free.joint[i]];
         force[joints] = pushed[joints];
     }
     for (long i = 0; i < w->n; i++) servo->inside[w->joint[i]] = w->inside[i], servo->way[w->joint[i]] = w->way[i];
     servo->has_inside = w->has_inside, servo->has_way = w->has_way, servo->leaves = w->leaves;
+    memcpy(servo->reverses, w->reverses, sizeof servo->reverses);
     if (!solved) return 0;
     rates_of(servo, w, velocity, rate);
     compare(servo, w->m, command, rate);
@@ -1053,11 +1097,13 @@ static int follow_joints(Servo *servo, double *velocity) {
     return 1;
 }
 
-static int all_finite(long n, const double *values) {
+static int all_below(long n, const double *values, double most) {
     for (long i = 0; i < n; i++)
-        if (!(fabs(values[i]) < 1e12)) return 0;
+        if (!(fabs(values[i]) < most)) return 0;
     return 1;
 }
+
+static int all_finite(long n, const double *values) { return all_below(n, values, 1e12); }
 
 /* Whether three rows (or columns) of three numbers, `apart` from each other, are a rotation but for rounding. */
 static int is_rotation(const double *m, int apart) {
@@ -1140,7 +1186,7 @@ static long read_command(Servo *servo) {
         if (!toward_pose(servo, servo->held)) return BAD_COMMAND;
     } else if (servo->fresh) {
         const double *axes = servo->frame == TOOL ? servo->rotation : servo->axes; /* both stored by columns */
-        if (!all_finite(6, servo->command)) return BAD_COMMAND;
+        if (!all_below(6, servo->command, LARGEST)) return BAD_COMMAND;
         for (int half = 0; half < 6; half += 3)
             for (int a = 0; a < 3; a++) {
                 servo->held[half + a] = servo->command[half + a];
@@ -1155,7 +1201,11 @@ static void forget(Servo *servo) {
     memset(servo->filtered, 0, sizeof servo->filtered);
     memset(servo->held, 0, sizeof servo->held);
     memset(servo->stays, 0, sizeof servo->stays);
+    memset(servo->inside, 0, sizeof servo->inside);
+    memset(servo->way, 0, sizeof servo->way);
+    memset(servo->reverses, 0, sizeof servo->reverses);
     servo->guessed = servo->has_inside = servo->has_way = servo->leaves = servo->placed = 0;
+    servo->age = INFINITY; /* there is no command until a new one comes */
 }
 
 /* One step: joint velocities (joints) in `result`, and what a teleoperator wants to know about them. It keeps all limits. */
@@ -1180,9 +1230,9 @@ void manipplan_servo(Servo *servo) {
     else if (servo->mode == BRAKE) forget(servo);
     else if (servo->mode == JOINTS) {
         servo->placed = 0;
-        memset(servo->held, 0, sizeof servo->held); /* a jog ends a stream of twists */
+        memset(servo->held, 0, sizeof servo->held), servo->age = INFINITY; /* a jog ends a stream of twists */
         memset(servo->filtered, 0, sizeof servo->filtered);
-        if (!sound || !all_finite(joints, servo->command)) servo->status = BAD_COMMAND;
+        if (!sound || !all_below(joints, servo->command, LARGEST)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {
         servo->status = sound ? read_command(servo) : BAD_COMMAND;

@@ -53,7 +53,8 @@ class ServoStatus(IntEnum):
     NOT_SOLVED = 1
     #: There was no new command for longer than `timeout`: the arm brakes.
     STALE = 2
-    #: The command or an obstacle is not finite, the target is no pose, or the axes are no rotation: the arm brakes.
+    #: The command or an obstacle is not finite, the command is 1e6 m/s or rad/s or more, the target is no pose, or the axes are
+    #: no rotation: the arm brakes.
     BAD_COMMAND = 3
     #: The state is not finite: the velocity is zero.
     BAD_STATE = 4
@@ -184,6 +185,7 @@ class Servo:
         self._library = _library_of(self._problem, robot.name, compiled)
         self.compiled = self._library is not None
         self._connect()
+        self.reset()
         if avoidance is not None:
             scene = dict(zip(avoidance.scene.names, avoidance.scene.obstacles, strict=True))
             set_moving(avoidance, {name: (scene[name].pose, np.zeros(6)) for name in avoidance.moving}, self._obstacles)
@@ -272,9 +274,9 @@ class Servo:
     def reset(self) -> None:
         """Clear the memory of past steps: last command, last acceleration, the side of a singularity that was approached."""
         s = self.law
-        for name in ("qdd", "held", "filtered", "stays"):
+        for name in ("qdd", "held", "filtered", "inside", "way", "stays", "reverses"):
             ctypes.memset(ctypes.addressof(s) + getattr(type(s), name).offset, 0, getattr(type(s), name).size)
-        s.age = 0.0
+        s.age = np.inf
         s.guessed = s.has_inside = s.has_way = s.leaves = s.placed = 0
 
     @property
