@@ -281,13 +281,13 @@ class Solver:
                 q = random_near(self.robot, target, np.random.default_rng(self.seed), AT_RANDOM, whole_pose=whole_pose)
             q[:, slides] = np.clip(q[:, slides] * (share / ratio), limits.lower[slides], limits.upper[slides])
             allowed, ratio = float(_allow_residual(target[None])[0]), share
-            q, miss = self._search(q, target, allowed / 100)
+            q, miss = self.search_from(q, target, allowed / 100)
             q = q[miss <= allowed]
             if not len(q):
                 break
         return in_turn(self.robot, q)
 
-    def _search(self, q: Array, pose: Array, tolerance: float) -> tuple[Array, Array]:
+    def search_from(self, q: Array, pose: Array, tolerance: float) -> tuple[Array, Array]:
         """Configurations (k, n) after damped steps of all joints towards a pose (4, 4), and their errors (k,) [m, rad]."""
         moves, limits = np.ones(self.robot.n, dtype=np.bool_), self.robot.limits
         if self.free.names:

@@ -281,7 +281,8 @@ class Layers:
         """The open layers from one position to another one of these, both included."""
         own = slice(first, last + 1)
         s, poses = (None if each is None else each[own] for each in (self.s, self.poses))
-        return replace(self, q=self.q[own], m=self.m[own], closed=False, s=s, poses=poses)
+        longest = None if self.longest is None else self.longest[first:last]
+        return replace(self, q=self.q[own], m=self.m[own], closed=False, s=s, poses=poses, longest=longest)
 
     def _check_finite(self) -> None:
         # minimum and maximum propagate NaN and inf: no boolean array is needed

@@ -306,6 +306,7 @@ class PathSampling:
             m=tuple(m),
             s=np.insert(layers.s, before, s),
             poses=np.insert(layers.poses, before, poses, axis=0),
+            longest=None if layers.longest is None else np.insert(layers.longest, before, layers.longest[before - 1]),
         )
 
 

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from manipplan.collision.model import CollisionModel
-from manipplan.ik.newton import MovingArm
 from manipplan.kinematics.factors import singularity_signs
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
@@ -45,8 +44,8 @@ class RefinedToolPath:
         refinement: that path, refined.
         path: the spline through its configurations.
         seed: the same for the path that the search found.
-        loose: (k,) the intervals between positions, by where they begin, in which the path does not follow the workspace path,
-            or touches a body.
+        outside: in which intervals between positions (k,) the path does not follow the workspace path.
+        touching: in which, or beside which, it touches a body.
         ending: time that timing and checks are likely to take [s].
         robot: the arm.
         demand: constant speed of the tool that is asked for; None: none.
@@ -57,11 +56,23 @@ class RefinedToolPath:
     refinement: Refinement
     path: JointPath
     seed: JointPath
-    loose: NDArray[np.int64]
+    outside: NDArray[np.bool_]
+    touching: NDArray[np.bool_]
     ending: float
     robot: Robot
     demand: SpeedDemand | None
     is_for_speed: bool
+
+    @property
+    def loose(self) -> NDArray[np.int64]:
+        """The intervals between positions (k,), by where they begin, in which the path is outside or touches a body."""
+        return np.flatnonzero(self.outside | self.touching)
+
+    @property
+    def steps_outside(self) -> tuple[NDArray[np.int64], Array]:
+        """The intervals (k,) in which the path is outside, and the largest step of a joint in each that the search found."""
+        steps = np.abs(path_steps(self.search.q, self.robot.continuous_joints, closed=len(self.outside) == len(self.search.q)))
+        return np.flatnonzero(self.outside), steps.max(axis=1)[self.outside]
 
     @cached_property
     def fastest(self) -> tuple[float, float]:
@@ -111,6 +122,8 @@ MORE_POSITIONS = "Take more positions"
 #: By how much steps of a refined path may be longer than those of the path that the search found, a factor of the latter and at
 #: least the second [rad or m], where it would jump to another branch of solutions, as where the arm is almost stretched.
 JUMPS = 2.0, 0.02
+#: Steps in halves of an interval in which a joint path leaves the workspace path, as a share of the step in the whole one.
+SHORTER = 0.75
 #: How often positions are added where a joint path is loose between them, and number of configurations between them at which
 #: that is seen.
 CLOSER, BETWEEN_POSITIONS = 5, 12
@@ -122,8 +135,9 @@ SHORTEST = 1e-3
 ENDING, ENDING_OF_JOINING = 0.3, 25.0
 #: How many times this time is left for them while a motion is improved, as timing takes longer near singularities.
 RESERVED = 1.5
-#: Maximum number of steps from one position to the next, and error at which a pose counts as reached [m, rad].
-STEPS, EXACT = 100, 1e-10
+#: Maximum number of configurations at a position from which steps lead to others, and error of these [m, rad].
+SEEDS = 50
+EXACT = 1e-10
 #: Share to which the slowest joints with which the tool can have its speed are found, factor by which they can be slower at
 #: most, and number of joint paths tried between those and the ones that are as fast as they may be.
 CLOSE, SLOWEST, BETWEEN_PACES = 1.03, 1e6, 2
@@ -192,32 +206,45 @@ class ToolPathPlanner:
         assert self.layers.poses is not None
         kinematics, poses = self._sampler.kinematics, self.layers.poses.copy()
         poses[0] = kinematics.pose(q)
-        onwards = self._onwards(q)
-        steps = {int(k) + 1: onwards[k] for k in np.flatnonzero(self._sampler.free(onwards))}
-        configurations, m = [np.array(q[None])], [np.array([float(kinematics.manipulability(q))])]
-        for k, (candidates, values) in enumerate(zip(self.layers.q[1:], self.layers.m[1:], strict=True), start=1):
-            more = steps.get(k)
-            configurations.append(candidates if more is None else np.vstack([candidates, more]))
-            m.append(values if more is None else np.append(values, kinematics.manipulability(more)))
-        layers = replace(self.layers, q=tuple(configurations), m=tuple(m), poses=poses, turn_middles=None)
-        return replace(self, layers=layers)
+        first = replace(
+            self.layers,
+            q=(np.array(q[None]), *self.layers.q[1:]),
+            m=(np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:]),
+            poses=poses,
+        )
+        return replace(self, layers=first)._with_steps_from(0, np.inf)
 
-    def _onwards(self, q: Array) -> Array:
-        """Configurations (j, n) at the positions after the first, the first by steps from q, each other from the one before."""
-        assert self.layers.poses is not None
-        solver, limits = self._sampler.solver, self._sampler.spec.robot.limits
-        found = [np.zeros((0, len(q)))]
+    def continued(self, positions: Sequence[int], epsilon: ArrayLike) -> "ToolPathPlanner":
+        """The same with configurations to which steps below epsilon lead from some at these positions, forward and backward.
+
+        They connect positions where samples of several parameters are too far apart.
+        """
+        planner = self
+        for k in positions:
+            planner = planner._with_steps_from(k, epsilon)
+        return planner
+
+    def _with_steps_from(self, position: int, epsilon: ArrayLike) -> "ToolPathPlanner":
+        """The same with configurations at other positions, to which steps below epsilon lead from some at this one.
+
+        Not with an inverse kinematics of the user, which may leave postures out on purpose.
+        """
+        layers, solver = self.layers, self._sampler.solver
+        assert layers.poses is not None
         if solver.own is not None:
-            return found[0]
-        arm = MovingArm(solver.screws, np.ones(len(q), dtype=np.bool_))
-        for pose in self.layers.poses[1:]:
-            target = solver.free.nearest(solver.kinematics.pose(q[None]), pose[None])[0]
-            moved, miss = arm.search(q[None], target, limits.lower, limits.upper, steps=STEPS, tolerance=EXACT)
-            if miss[0] > EXACT:
-                break
-            q = moved[0]
-            found.append(moved)
-        return np.concatenate(found)
+            return self
+        q, m = list(layers.q), list(layers.m)
+        seeds = q[position][np.unique(np.linspace(0, len(q[position]) - 1, SEEDS).astype(np.int64))]
+        for way in (range(position + 1, len(q)), range(position - 1, -1, -1)):
+            at = seeds
+            for k in way:
+                moved, miss = solver.search_from(at, layers.poses[k], EXACT)
+                at = moved[(miss <= EXACT) & (np.abs(moved - at) < epsilon).all(axis=1)]
+                if not len(at):
+                    break
+                free = at[self._sampler.free(at)]
+                q[k], m[k] = np.vstack([q[k], free]), np.append(m[k], self._sampler.kinematics.manipulability(free))
+        return replace(self, layers=replace(layers, q=tuple(q), m=tuple(m), turn_middles=None))
 
     def at_speed(self, demand: SpeedDemand | None, slower: float = 1.0) -> "ToolPathPlanner":
         """The same for a constant speed of the tool: only with steps on which no joint is too fast.
@@ -244,8 +271,8 @@ class ToolPathPlanner:
         return replace(self, layers=replace(self.layers, pose_step=step))
 
     def at_any_pace(self) -> "ToolPathPlanner":
-        """The same with all steps, also those on which joints are too fast for a tool speed, or too far from pose to pose."""
-        return replace(self, layers=replace(self.layers, joint_pace=None, pose_step=None))
+        """The same with all steps, also those on which joints move too fast for a tool speed, or too far."""
+        return replace(self, layers=replace(self.layers, joint_pace=None, pose_step=None, longest=None))
 
     def intervals(self, halvings: int, among: NDArray[np.int64]) -> NDArray[np.int64]:
         """Those of `among` (k,) of the intervals between positions that were halved less often, by where they begin."""
@@ -266,6 +293,16 @@ class ToolPathPlanner:
         pieces = np.ones_like(self._halvings)
         pieces[intervals] = 2
         return self.divided(pieces, progress)
+
+    def with_shorter_steps(self, intervals: NDArray[np.int64], steps: Array) -> "ToolPathPlanner":
+        """The same with shorter steps in intervals (k,) than those of a path found, (k,) [rad or m].
+
+        So that halves of an interval, in which a path found leads from one branch of solutions to another, are not passed so.
+        """
+        longest = self.layers.longest
+        longest = np.full(len(self._halvings), np.inf) if longest is None else longest.copy()
+        longest[intervals] = np.minimum(longest[intervals], SHORTER * steps)
+        return replace(self, layers=replace(self.layers, longest=longest))
 
     def divided(self, pieces: NDArray[np.int64], progress: Progress) -> "ToolPathPlanner":
         """The same with each interval between positions divided into a number of equal pieces (k,), powers of 2."""
@@ -306,9 +343,10 @@ class ToolPathPlanner:
     def search(
         self, epsilon: ArrayLike, *, strict: bool = True, explain: bool = False, progress: Progress | None = None
     ) -> "tuple[ToolPathPlanner, SearchResult]":
-        """The planner and what `max_min_search` finds; with all steps where none is found within a pace or a pose step."""
+        """The planner and what `max_min_search` finds; with all steps where nothing is found within their bounds."""
         found = max_min_search(self.layers, epsilon, strict=strict, explain=explain, throw=False, progress=progress)
-        if found.connected or (self.layers.joint_pace is None and self.layers.pose_step is None):
+        bounds = self.layers.joint_pace, self.layers.pose_step, self.layers.longest
+        if found.connected or all(each is None for each in bounds):
             return self, found
         return self.at_any_pace().search(epsilon, strict=strict, explain=explain)
 
@@ -360,6 +398,7 @@ class ToolPathPlanner:
             closed=False,
             s=np.concatenate([[0.0], (s[1:-1] - begin) / (end - begin), [1.0]]),
             poses=layers.poses[k],
+            longest=None if layers.longest is None else layers.longest[k[:-1]],
         )
         return replace(self, path=path, layers=some, halvings=self._halvings[k[:-1]])
 
@@ -417,13 +456,13 @@ class ToolPathPlanner:
             path, is_inside = self._joined(refined.q, self.tolerance, hold_start=hold_start)
             if not (seed_is_inside & ~is_inside).any():
                 break
-        loose = np.flatnonzero(self._touching(path) | ~is_inside)
         return RefinedToolPath(
             search=found,
             refinement=refined,
             path=path,
             seed=seed,
-            loose=loose,
+            touching=self._touching(path),
+            outside=~is_inside,
             ending=ending,
             robot=self.robot,
             demand=self.demand,
@@ -458,9 +497,11 @@ class ToolPathPlanner:
         begin, first = made.search.q[0], made.search.indices[:1]
         alone = replace(layers, q=(layers.q[0][first], *layers.q[1:]), m=(layers.m[0][first], *layers.m[1:]))
         planner = replace(self, layers=alone)
-        for _ in range(CLOSER):
+        for k in range(CLOSER):
             if not len(made.loose) or self.has_fixed_positions or self.deadline.left < made.ending:
                 break
+            if k:
+                planner = planner.with_shorter_steps(*made.steps_outside)
             try:
                 planner = planner.halved(made.loose, silent)
             except InvalidInputError:  # no configuration keeps what candidates have to spare there

@@ -133,12 +133,19 @@ Searched = tuple[ToolPathPlanner, SearchResult]
 def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, start: Array | None = None) -> ToolPathPlanner:
     """The planner with as many more positions as a motion along the path needs.
 
-    They are added where a gap has to be closed, until there is none or they are as close as they may be. Joints that are too
-    slow for the tool speed make no gap: more positions do not help them.
+    They are added where a gap has to be closed, until there is none or they are as close as they may be. Where samples of
+    several parameters do not connect, small steps from some of them are tried first. Joints that are too slow for the tool
+    speed make no gap: more positions do not help them.
     """
+    is_continued = not planner.has_several_parameters
     while True:
         begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
         gaps = find_gaps(begun.layers.in_one_turn or begun.layers, epsilon, progress=part(notify, 0.0, 0.0))
+        if gaps.ranges and not is_continued:
+            ends = sorted({k % len(planner.layers.q) for each in gaps.ranges for k in each})
+            notify(0.0, f"steps from configurations at {len(ends)} positions")
+            planner, is_continued = planner.continued(ends, epsilon), True
+            continue
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
             spanned = np.arange(first, last) % (len(planner.layers.q) - (not planner.layers.closed))
@@ -323,6 +330,9 @@ def _closely(
         loose = planner.intervals(HALVED_STEP, np.unique((first.first + first.refined.loose) % count))
         if not len(loose) or planner.deadline.left < first.refined.ending or k == CLOSER:
             break
+        if k:  # halves alone did not help
+            outside, steps = first.refined.steps_outside
+            planner = planner.with_shorter_steps((first.first + outside) % count, steps)
         try:
             planner = planner.halved(loose, silent)
         except OutOfReachError:  # of poses of the path: no motion follows it

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 import manipplan as mp
 from manipplan.search.interruptions import find_gaps
-from manipplan.search.layers import choose_positions
+from manipplan.search.layers import choose_positions, step_limits
 from manipplan.support.deadline import Deadline, OutOfTimeError, TimeLimit
 from manipplan.support.progress import silent
 from manipplan.tool_path.engine import ToolPathPlanner
@@ -417,3 +417,62 @@ def test_poses_that_no_sample_reaches_get_configurations_from_random_starts():
         if len(seen) == 2:
             break
     assert [each.status for each in seen] == [mp.Status.FOLLOWED] * 2
+
+
+#: Positions [m] along motions of two arms at the edge of their reach.
+STRETCHED = {
+    "panda": [
+        [-0.4874, 0.1289, -0.3903],
+        [-0.4834, 0.1512, -0.3878],
+        [-0.4784, 0.1734, -0.3852],
+        [-0.4724, 0.1954, -0.3827],
+        [-0.4653, 0.2173, -0.3802],
+        [-0.4573, 0.2389, -0.3776],
+        [-0.4482, 0.2602, -0.375],
+        [-0.4382, 0.2811, -0.3724],
+        [-0.4271, 0.3016, -0.3698],
+        [-0.4151, 0.3218, -0.3671],
+        [-0.4022, 0.3414, -0.3645],
+        [-0.3883, 0.3605, -0.3618],
+    ],
+    "ur5": [
+        [-0.2097, 0.7184, -0.4897],
+        [-0.1907, 0.7428, -0.4663],
+        [-0.1698, 0.766, -0.4421],
+        [-0.1471, 0.7878, -0.4173],
+        [-0.1227, 0.808, -0.3919],
+        [-0.0966, 0.8267, -0.366],
+        [-0.069, 0.8436, -0.3395],
+        [-0.0401, 0.8586, -0.3125],
+        [-0.01, 0.8716, -0.2851],
+        [0.0212, 0.8825, -0.2574],
+        [0.0533, 0.8914, -0.2292],
+        [0.0862, 0.898, -0.2008],
+    ],
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", STRETCHED)
+def test_positions_at_the_edge_of_the_reach_are_followed(name):
+    """Samples of the Panda were too far apart, and the UR5 turned its elbow over between two positions, off the path."""
+    robot, task = mp.load_robot(name), mp.Task.position()
+    poses = np.tile(np.eye(4), (12, 1, 1))
+    poses[:, :3, 3] = STRETCHED[name]
+    path = mp.CartesianPath.through(poses)
+    plan = mp.follow(robot, path, objective=mp.PathObjective(task=task))
+    assert plan.report.passed
+    assert_follows(robot, plan.trajectory, path, 1e-4)
+
+
+def test_layers_keep_their_bounds_on_steps():
+    robot = mp.load_robot("ur5")
+    pose = robot.kinematics().pose(np.array([0.3, -1.2, 1.4, -1.7, -1.5, 0.2]))
+    ahead = pose.copy()
+    ahead[2, 3] += 0.1
+    layers = mp.sample_layers(robot, mp.CartesianPath.line(pose, ahead), positions=4)
+    layers = replace(layers, longest=np.array([1.0, 2.0, 3.0]))
+    more = layers.sampling.with_positions(layers, np.array([0.1, 0.2, 0.9]), lambda *_: None)
+    assert more.longest.tolist() == [1.0, 1.0, 1.0, 2.0, 3.0, 3.0]
+    assert more.part(2, 5).longest.tolist() == [1.0, 2.0, 3.0]
+    assert (step_limits(more, np.full(6, 1.5))[:, 0] == [1.0, 1.0, 1.0, 1.5, 1.5, 1.5]).all()
