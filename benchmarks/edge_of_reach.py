@@ -29,7 +29,7 @@ import manipplan as mp
 Array = NDArray[np.float64]
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "edge_of_reach.md"
 #: Arms by their name in example-robot-data, with the tool of one of several arms.
-ARMS = {"so100": "", "ur5": "", "panda": "", "xarm7": "", "tiago": "", "talos_right_arm": "", "pr2": "l_gripper_tool_frame"}
+ARMS = {"so100": "", "ur5": "", "panda": "", "xarm7": "", "tiago": "", "talos_arm": "", "pr2": "l_gripper_tool_frame"}
 POSITIONS, TOLERANCE = 12, 1e-4
 
 
