@@ -14,7 +14,7 @@ os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # before Nu
 import argparse
 import platform
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import example_robot_data as erd
@@ -28,25 +28,27 @@ import manipplan as mp
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).parents[1] / "docs" / "benchmarks" / "edge_of_reach.md"
-#: Arms by their name in example-robot-data, with the tool of one of several arms.
-ARMS = {"so100": "", "ur5": "", "panda": "", "xarm7": "", "tiago": "", "talos_arm": "", "pr2": "l_gripper_tool_frame"}
+#: Arms, with the tool of one of several. Files of those that are part of another robot.
+ARMS = {"so100": "", "ur5": "", "panda": "", "xarm7": "", "tiago": "", "talos_right_arm": "", "pr2": "l_gripper_tool_frame"}
+FILES = {"talos_right_arm": "talos"}
 POSITIONS, TOLERANCE = 12, 1e-4
 
 
 class Judge:
-    """Forward kinematics and limits of the file alone."""
+    """Forward kinematics and limits of the file alone; other joints rest where they are locked."""
 
-    def __init__(self, name: str, tool: str, joints: Sequence[str]) -> None:
-        self.model = erd.load(name).model
+    def __init__(self, name: str, tool: str, joints: Sequence[str], locked: Mapping[str, float]) -> None:
+        self.model = erd.load(FILES.get(name, name)).model
         self.data, self.frame = self.model.createData(), self.model.getFrameId(tool, pin.FrameType.BODY)
         self.joints = [self.model.joints[self.model.getJointId(each)] for each in joints]
+        self.locked = [(self.model.joints[self.model.getJointId(each)], value) for each, value in locked.items()]
         self.has_limits = np.array([each.nq == 1 for each in self.joints])
         places = [each.idx_q for each in self.joints]
         self.lower, self.upper = self.model.lowerPositionLimit[places], self.model.upperPositionLimit[places]
 
     def position(self, q: Array) -> Array:
         whole = pin.neutral(self.model)
-        for value, joint in zip(q, self.joints, strict=True):
+        for joint, value in [*self.locked, *zip(self.joints, q, strict=True)]:
             turn = [value] if joint.nq == 1 else [np.cos(value), np.sin(value)]
             whole[joint.idx_q : joint.idx_q + joint.nq] = turn
         pin.framesForwardKinematics(self.model, self.data, whole)
@@ -100,7 +102,7 @@ def row(name: str, tool: str, count: int, seed: int) -> str:
     robot = mp.load_robot(name)
     robot = robot.arm(tool) if tool else robot
     objective = mp.PathObjective(task=mp.Task.position())
-    judge, followed, faults, seconds = Judge(name, robot.tool, robot.joint_names), 0, list[str](), list[float]()
+    judge, followed, faults, seconds = Judge(name, robot.tool, robot.joint_names, robot.locked), 0, list[str](), list[float]()
     for positions in track(paths(robot, count, seed), description=name, total=count):
         poses = np.tile(np.eye(4), (POSITIONS, 1, 1))
         poses[:, :3, 3] = positions
