@@ -94,9 +94,8 @@ typedef struct {
     long knots;
     const double *planned, *rotations, *origins;
     /* what it learned: the last acceleration; command and its age; U, the joint direction in which σ grows, the last way out, and
-       which of these there are; for how long each joint stays at its limit; which small singular values' directions turn round; the
-       nearest knot, whether it is known, and the planned
-       positions there */
+       which of these there are; for how long each joint stays at its limit; along which small singular values' directions it
+       turns round; the nearest knot, whether it is known, and the planned positions there */
     double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
     long reverses[6], guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
@@ -541,7 +540,7 @@ static double turned_after(const Servo *servo, const Work *w, const double *v, d
     return angle;
 }
 
-/* The part of the command along u_k and the directions that are lost with it: where several σ are nearly 0, the u turn into each other. */
+/* The part of the command along u_k and what is lost with it: where several σ are nearly 0, their directions turn into each other. */
 static double lost_with(const Work *w, long k) {
     double sum = w->b[k] * w->b[k];
     for (long l = 0; l < w->r; l++)
@@ -592,7 +591,8 @@ static void singular_rates(const Servo *servo, Work *w) {
         double angle = turned_after(servo, w, v, s, b);
         double fade = clip(bend / BENT, 0, 1), cap = least(fastest, stopping(angle, force, T)), free = cap;
         if (bend > 0) cap = least(cap, stopping(most(s - ARRIVAL, 0) / bend, BRAKING * force, T));
-        double capped = b * least(1 / most(s, 1e-9), cap / most(lost_with(w, k), 1e-9)), approach = fade * capped + (1 - fade) * damped;
+        double capped = b * least(1 / most(s, 1e-9), cap / most(lost_with(w, k), 1e-9));
+        double approach = fade * capped + (1 - fade) * damped;
         /* leaving a fold: the root of σ g + ½ κ T g² = b, not damped */
         double leaving = clip(toward / BENT, 0, 1), leave = damped;
         if (kb > 0) {

@@ -214,17 +214,17 @@ class ToolPathPlanner:
         )
         return replace(self, layers=first)._with_steps_from(0, np.inf)
 
-    def continued(self, positions: Sequence[int], epsilon: ArrayLike) -> "ToolPathPlanner":
+    def continued(self, positions: Sequence[int], epsilon: ArrayLike, progress: Progress) -> "ToolPathPlanner":
         """The same with configurations to which steps below epsilon lead from some at these positions, forward and backward.
 
         They connect positions where samples of several parameters are too far apart.
         """
         planner = self
         for k in positions:
-            planner = planner._with_steps_from(k, epsilon)
+            planner = planner._with_steps_from(k, epsilon, progress)
         return planner
 
-    def _with_steps_from(self, position: int, epsilon: ArrayLike) -> "ToolPathPlanner":
+    def _with_steps_from(self, position: int, epsilon: ArrayLike, progress: Progress = silent) -> "ToolPathPlanner":
         """The same with configurations at other positions, to which steps below epsilon lead from some at this one.
 
         Not with an inverse kinematics of the user, which may leave postures out on purpose.
@@ -238,6 +238,7 @@ class ToolPathPlanner:
         for way in (range(position + 1, len(q)), range(position - 1, -1, -1)):
             at = seeds
             for k in way:
+                progress(0.0, f"small steps from position {position}")
                 moved, miss = solver.search_from(at, layers.poses[k], EXACT)
                 at = moved[(miss <= EXACT) & (np.abs(moved - at) < epsilon).all(axis=1)]
                 if not len(at):

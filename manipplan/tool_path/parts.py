@@ -121,6 +121,8 @@ class NotConnected(Failure):
 
 #: How often the distance between positions is halved where no motion leads on, and where not even one step does.
 HALVED, HALVED_STEP = 3, 6
+#: Maximum number of gaps from whose ends small steps are tried.
+CONTINUED = 4
 #: Relative gain in the minimum manipulability for which positions are added, and largest step of a continuous joint that is
 #: considered there [rad].
 GAIN, LONGEST = 0.01, 3.0
@@ -142,9 +144,8 @@ def connect(planner: ToolPathPlanner, epsilon: ArrayLike, notify: Progress, *, s
         begun = (planner if start is None else planner.starting_at(start)).at_any_pace()
         gaps = find_gaps(begun.layers.in_one_turn or begun.layers, epsilon, progress=part(notify, 0.0, 0.0))
         if gaps.ranges and not is_continued:
-            ends = sorted({k % len(planner.layers.q) for each in gaps.ranges for k in each})
-            notify(0.0, f"steps from configurations at {len(ends)} positions")
-            planner, is_continued = planner.continued(ends, epsilon), True
+            ends = {k % len(planner.layers.q) for each in gaps.ranges[:CONTINUED] for k in each}
+            planner, is_continued = planner.continued(sorted(ends), epsilon, notify), True
             continue
         wide = [np.zeros(0, dtype=np.int64)]
         for first, last in gaps.ranges:
@@ -317,7 +318,7 @@ def _closely(
                 searched = _search_from(planner, epsilon, part(share, 0.2, 0.4), start)
             options = _find_parts(planner, epsilon, most, part(share, 0.4, 1.0), start, searched)
         except OutOfTimeError:
-            if found is None:
+            if found is None or found[0][0].refined.outside.any():
                 raise
             break
         if isinstance(options, NotConnected):
@@ -328,7 +329,13 @@ def _closely(
         count = len(planner.layers.q)
         first = found[0][0]  # what is loose of the others is seen from the configurations in which they begin
         loose = planner.intervals(HALVED_STEP, np.unique((first.first + first.refined.loose) % count))
-        if not len(loose) or planner.deadline.left < first.refined.ending or k == CLOSER:
+        if not len(loose) or k == CLOSER:
+            break
+        if planner.deadline.left < first.refined.ending:
+            if first.refined.outside.any():  # it would not pass its check
+                raise OutOfTimeError
+            break
+        if len(first.refined.search.q) != len(first.planner.layers.q):  # for a tool speed, which more positions did not help
             break
         if k:  # halves alone did not help
             outside, steps = first.refined.steps_outside
