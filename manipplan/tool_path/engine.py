@@ -212,7 +212,7 @@ class ToolPathPlanner:
             m=(np.array([float(kinematics.manipulability(q))]), *self.layers.m[1:]),
             poses=poses,
         )
-        return replace(self, layers=first)._with_steps_from(0, np.inf)
+        return replace(self, layers=first)._with_steps_from(0, np.inf, self._sampler.solver.move_to)
 
     def continued(self, positions: Sequence[int], epsilon: ArrayLike, progress: Progress) -> "ToolPathPlanner":
         """The same with configurations to which steps below epsilon lead from some at these positions, forward and backward.
@@ -221,10 +221,16 @@ class ToolPathPlanner:
         """
         planner = self
         for k in positions:
-            planner = planner._with_steps_from(k, epsilon, progress)
+            planner = planner._with_steps_from(k, epsilon, self._sampler.solver.search_from, progress)
         return planner
 
-    def _with_steps_from(self, position: int, epsilon: ArrayLike, progress: Progress = silent) -> "ToolPathPlanner":
+    def _with_steps_from(
+        self,
+        position: int,
+        epsilon: ArrayLike,
+        steps: Callable[[Array, Array, float], tuple[Array, Array]],
+        progress: Progress = silent,
+    ) -> "ToolPathPlanner":
         """The same with configurations at other positions, to which steps below epsilon lead from some at this one.
 
         Not with an inverse kinematics of the user, which may leave postures out on purpose.
@@ -235,16 +241,23 @@ class ToolPathPlanner:
             return self
         q, m = list(layers.q), list(layers.m)
         seeds = q[position][np.unique(np.linspace(0, len(q[position]) - 1, SEEDS).astype(np.int64))]
+        found, owners = [seeds[:0]], list[int]()
         for way in (range(position + 1, len(q)), range(position - 1, -1, -1)):
             at = seeds
             for k in way:
                 progress(0.0, f"small steps from position {position}")
-                moved, miss = solver.search_from(at, layers.poses[k], EXACT)
+                moved, miss = steps(at, layers.poses[k], EXACT)
                 at = moved[(miss <= EXACT) & (np.abs(moved - at) < epsilon).all(axis=1)]
                 if not len(at):
                     break
-                free = at[self._sampler.free(at)]
-                q[k], m[k] = np.vstack([q[k], free]), np.append(m[k], self._sampler.kinematics.manipulability(free))
+                found.append(at)
+                owners += [k] * len(at)
+        more = np.concatenate(found)
+        free = self._sampler.free(more)
+        more, of = more[free], np.array(owners, dtype=np.int64)[free]
+        values = self._sampler.kinematics.manipulability(more)
+        for k in np.unique(of):
+            q[k], m[k] = np.vstack([q[k], more[of == k]]), np.append(m[k], values[of == k])
         return replace(self, layers=replace(layers, q=tuple(q), m=tuple(m), turn_middles=None))
 
     def at_speed(self, demand: SpeedDemand | None, slower: float = 1.0) -> "ToolPathPlanner":
