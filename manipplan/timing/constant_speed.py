@@ -26,8 +26,9 @@ STEADY, MOST_SLOWDOWN = 0.01, 0.99
 RAMP, SETTLES, SHORT = 0.1, 4.0, 1e-3
 #: Number of times per sample interval at which speeds are measured, and of places at which a path's speed is compared.
 BETWEEN, SPEED_PLACES = 8, 2001
-#: The tool turns in place where it moves slower along the path than this share of the mean.
-IN_PLACE = 0.01
+#: The tool turns in place where it moves slower along the path than this share of the mean, and turns back where the cosine
+#: between two steps is below the second, also between steps that are finer by the third.
+IN_PLACE, BACK, FINER = 0.01, -0.98, 100
 
 
 @one_line
@@ -83,14 +84,31 @@ def check_tool_speed(speed: float, path: CartesianPath) -> float:
     value = number("tool_speed", speed, above=0.0)
     if not isinstance(path, CartesianPath):
         raise InvalidInputError("path", path, "a CartesianPath")
-    positions = path.sample(SPEED_PLACES)[:, :3, 3]
+    s = np.linspace(0.0, 1.0, SPEED_PLACES)
+    positions = path(s)[:, :3, 3]
     steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    at = None
     if not (steps > IN_PLACE * steps.mean()).all():
-        k = int(steps.argmin())
-        where = place((k + 0.5) / len(steps), positions[k])
+        at = float(s[steps.argmin()] + s[1] / 2)
+    for k in np.flatnonzero(_turns(positions) < BACK) if at is None else ():
+        finer = np.linspace(s[k], s[k + 2], 2 * FINER + 1)
+        turns = _turns(path(finer)[:, :3, 3])
+        if turns.min() < BACK:
+            at = float(finer[turns.argmin() + 1])
+            break
+    if at is not None:
+        where = place(at, path(at)[:3, 3])
         wanted = f"a path that moves the tool all along: {where}, it turns the tool in place or back; split it there"
         raise InvalidInputError("tool_speed", speed, wanted)
     return value
+
+
+def _turns(positions: Array) -> Array:
+    """Cosines (k - 2,) of the angles between steps from one position (k, 3) to the next; 1 where a step has no length."""
+    steps = np.diff(positions, axis=0)
+    before, after = steps[:-1], steps[1:]
+    lengths = np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1)
+    return np.asarray(np.divide((before * after).sum(axis=1), lengths, out=np.ones(len(lengths)), where=lengths > 0))
 
 
 def place(s: float, position: Array) -> str:

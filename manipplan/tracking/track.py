@@ -175,17 +175,18 @@ def track(
         stiffness = HOLD if tube is None or not formulation.solves_qp else StiffnessProfile()
     if duration is None:
         duration = default_duration(controller.kinematics, path, q)
-    steps = step_count(number("duration", duration, above=0.0) / dt - 1e-9)
+    steps = step_count(number("duration", duration, above=0.0), dt)
     u = np.arange(steps + 1) / steps
     s = 3 * u**2 - 2 * u**3
     return follow_poses(controller, q, path(s), s, along(stiffness), tube)
 
 
-def step_count(least: float) -> int:
-    """`least` rounded up to a whole number of time steps, at least 1; raises InvalidInputError above `MOST_STEPS`."""
+def step_count(duration: float, dt: float) -> int:
+    """Number of time steps in a duration, rounded up; raises InvalidInputError above `MOST_STEPS`."""
+    least = duration / dt - 1e-9
     if not least <= MOST_STEPS:
-        wanted = f"a motion of at most {MOST_STEPS:,} time steps: a shorter duration, a longer dt, or higher joint limits"
-        raise InvalidInputError("duration / dt", least, wanted)
+        wanted = f"at most {MOST_STEPS:,} time steps of dt = {dt:g} s: a shorter duration, a longer dt, or higher joint limits"
+        raise InvalidInputError("duration", duration, wanted)
     return max(int(np.ceil(least)), 1)
 
 

@@ -7,10 +7,12 @@ from itertools import pairwise
 import numpy as np
 import pinocchio as pin
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import manipplan as mp
 from manipplan.search.layers import step_limits
-from manipplan.timing.constant_speed import SpeedDemand, limits_bound, measure_speed
+from manipplan.timing.constant_speed import SpeedDemand, check_tool_speed, limits_bound, measure_speed
 
 FEW = {"samples": 48, "epsilon": 0.5}
 
@@ -396,6 +398,26 @@ def test_a_tool_that_turns_in_place(panda):
     turned[:3, :3] = begin[:3, :3] @ pin.exp3(np.array([0.0, 0.0, 0.5]))
     with pytest.raises(mp.errors.InvalidInputError, match="turns the tool in place"):
         mp.follow(panda, mp.CartesianPath.line(begin, turned), tool_speed=0.1, positions=3, **FEW)
+
+
+@given(at=st.floats(0.05, 0.95), poses=st.integers(2, 60), speed=st.floats(1e-3, 1.0))
+def test_a_tool_that_turns_back_is_refused_however_dense_the_poses(at, poses, speed):
+    there = np.tile(np.eye(4), (poses, 1, 1))
+    there[:, 0, 3] = np.linspace(0.0, 0.2, poses)
+    back = there[::-1][1:][: max(int(at * poses), 1)]
+    with pytest.raises(mp.errors.InvalidInputError, match=r"x y z = 0\.(19|20)\d .* turns the tool in place or back"):
+        check_tool_speed(speed, mp.CartesianPath.through(np.concatenate([there, back])))
+
+
+@given(radius=st.floats(1e-3, 0.05))
+def test_a_narrow_turn_is_not_a_turn_back(radius):
+    angles = np.linspace(0.0, np.pi, 200)
+    line = np.linspace([0.0, 0.0], [0.1, 0.0], 50)[:-1]
+    turn = np.column_stack([0.1 + radius * np.sin(angles), radius * (1 - np.cos(angles))])
+    way = np.concatenate([line, turn, (line * [1.0, 0.0] + [0.0, 2 * radius])[::-1]])
+    poses = np.tile(np.eye(4), (len(way), 1, 1))
+    poses[:, :2, 3] = way
+    assert check_tool_speed(0.05, mp.CartesianPath.through(poses)) == 0.05
 
 
 @pytest.mark.parametrize("speed", [0.0, -0.1, np.nan, np.inf, "fast", True])
