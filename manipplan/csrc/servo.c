@@ -38,7 +38,8 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define DAMPED 1e-3      /* damping of the drive's JJᵀ [m²] */
 #define ROUNDED 1e-5     /* deviation of a rotation that is rounding */
 #define LENGTH 0.3       /* metres per radian where a pose is approached */
-#define APPROACH 2.0     /* deceleration with which it is approached [m/s²] */
+#define APPROACH 2.0     /* largest deceleration with which it is approached [m/s²] */
+#define STOPPING 0.5     /* and the largest share of the joints' acceleration that it takes: the tool does not go straight */
 #define FASTEST 5.0      /* and the maximum speed [m/s] */
 #define RETURN 20.0      /* rate at which the drive returns to a planned motion [1/s] */
 #define BRANCH 0.5       /* distance in the null space from which on it does not: another branch [rad] */
@@ -915,20 +916,26 @@ static void braking_bounds(const Servo *servo, long j, double *low, double *high
     *high = clip(stopping(servo->upper[j] - servo->q[j], force, T), -speed, speed);
 }
 
+/* Row k of the task: the wrench (6) that it is of the twist, and its derivatives by the joints (joints). */
+static void row_of_task(const Servo *servo, long k, double *wrench, double *row) {
+    double u[ROWS] = {0}, turning[6];
+    u[k] = 1;
+    wrench_of(servo, u, wrench, turning);
+    for (long j = 0; j < servo->joints; j++) row[j] = 0;
+    for (long p = 0; p < servo->physical; p++)
+        row[servo->leader[p]] += servo->ratio[p] * dot(6, wrench, servo->columns + 6 * p);
+}
+
 /* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
 static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, double *force) {
     long n = w->n, m = servo->world_rows + servo->tool_rows, joints = servo->joints;
-    double rows[ROWS][MOST] = {0}, x[MOST], part[MOST + 1];
+    double row[MOST], x[MOST], part[MOST + 1];
     w->m = m, w->r = n < m ? n : m;
     for (long k = 0; k < m; k++) {
-        double u[ROWS] = {0}, wrench[6], turning[6];
-        u[k] = 1;
-        wrench_of(servo, u, wrench, turning);
-        for (long p = 0; p < servo->physical; p++)
-            rows[k][servo->leader[p]] += servo->ratio[p] * dot(6, wrench, servo->columns + 6 * p);
-        w->W[k] = dot(6, wrench, servo->twist);
-        for (long j = 0; j < joints; j++) w->W[k] -= rows[k][j] * fixed[j];
-        for (long i = 0; i < n; i++) w->J[k][i] = rows[k][w->joint[i]];
+        double wrench[6];
+        row_of_task(servo, k, wrench, row);
+        w->W[k] = dot(6, wrench, servo->twist) - dot(joints, row, fixed);
+        for (long i = 0; i < n; i++) w->J[k][i] = row[w->joint[i]];
     }
     for (long i = 0; i < n; i++) {
         long j = w->joint[i];
@@ -1163,7 +1170,34 @@ static void turn_toward(const Servo *servo, const double *P, double *vector) {
             vector[a] = angle * ((turn[3 * a + top] + (a == top)) / 2) / sqrt((turn[4 * top] + 1) / 2);
 }
 
-/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there. Returns 0 for no pose. */
+/* The deceleration with which the tool stops along a twist (6) whose size is 1: at most APPROACH, and that of the joints' least
+   motion y = Jᵀ (JJᵀ)⁻¹ b, which slows down in proportion, with the share STOPPING of their acceleration. */
+static double deceleration_along(const Servo *servo, const double *twist) {
+    long m = servo->world_rows + servo->tool_rows;
+    double J[ROWS][MOST], L[ROWS][ROWS], u[ROWS], wrench[6], slowest = APPROACH;
+    for (long a = 0; a < m; a++) { /* L Lᵀ = JJᵀ + DAMPED, L u = b */
+        row_of_task(servo, a, wrench, J[a]);
+        u[a] = dot(6, wrench, twist);
+        for (long b = 0; b <= a; b++) {
+            double sum = dot(servo->joints, J[a], J[b]) + (a == b ? DAMPED : 0) - dot(b, L[a], L[b]);
+            L[a][b] = a == b ? sqrt(sum) : sum / L[b][b];
+        }
+        u[a] = (u[a] - dot(a, L[a], u)) / L[a][a];
+    }
+    for (long a = m - 1; a >= 0; a--) {
+        for (long b = a + 1; b < m; b++) u[a] -= L[b][a] * u[b];
+        u[a] /= L[a][a];
+    }
+    for (long j = 0; j < servo->joints; j++) {
+        double y = 0;
+        for (long a = 0; a < m; a++) y += J[a][j] * u[a];
+        slowest = least(slowest, STOPPING * servo->acceleration[j] / most(fabs(y), 1e-9));
+    }
+    return slowest;
+}
+
+/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed,
+   which lags; with four times its time constant the last part does not overshoot. Returns 0 for no pose. */
 static int toward_pose(const Servo *servo, double *twist) {
     const double *P = servo->pose;
     if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
@@ -1172,8 +1206,10 @@ static int toward_pose(const Servo *servo, double *twist) {
     for (int a = 0; a < 3; a++) twist[a] = P[4 * a + 3] - servo->origin[a];
     turn_toward(servo, P, twist + 3);
     double size = sqrt(dot(3, twist, twist) + LENGTH * LENGTH * dot(3, twist + 3, twist + 3));
-    double rate = size > 0 ? least(1 / duration(servo), least(FASTEST, sqrt(2 * APPROACH * size)) / size) : 0;
-    for (int a = 0; a < 6; a++) twist[a] *= rate;
+    if (!(size > 1e-12)) size = 1; /* there is nothing left */
+    for (int a = 0; a < 6; a++) twist[a] /= size;
+    double speed = least(FASTEST, stopping(size, deceleration_along(servo, twist), duration(servo) + 4 * servo->smoothing));
+    for (int a = 0; a < 6; a++) twist[a] *= speed;
     return 1;
 }
 
@@ -1229,9 +1265,7 @@ void manipplan_servo(Servo *servo) {
     if (!(servo->dt > 0 && servo->dt <= servo->slowest * (1 + 1e-9))) servo->status = BAD_TIME_STEP;
     else if (servo->mode == BRAKE) forget(servo);
     else if (servo->mode == JOINTS) {
-        servo->placed = 0;
-        memset(servo->held, 0, sizeof servo->held), servo->age = INFINITY; /* a jog ends a stream of twists */
-        memset(servo->filtered, 0, sizeof servo->filtered);
+        forget(servo); /* a jog ends a stream of twists, and may lead to the other side of a singularity */
         if (!sound || !all_below(joints, servo->command, LARGEST)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {

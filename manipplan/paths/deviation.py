@@ -19,12 +19,12 @@ POSES = 2001
 BETWEEN_KNOTS, CANDIDATES = 4, 32
 #: Largest distance of a path from its pieces at their middle [m, rad], and maximum number of times that they are halved for it.
 FLAT, BENDS = (1e-6, 1e-5), 4
-#: Numbers of pieces with regions about them that a pose is compared with closely, first and then, of places on each, and of
-#: rounds of closer places.
-MANY_PIECES, NEAREST_PIECES, CLOSE, ROUNDS = 24, 3, 9, 4
+#: Largest numbers of pieces with regions about them that a pose is compared with closely, first and then, number of places on
+#: each, largest number of rounds of closer places, and share of the tolerance to which the nearest place is found.
+MANY_PIECES, NEAREST_PIECES, CLOSE, ROUNDS, CLOSELY_FOUND = 24, 3, 9, 4, 1 / 64
 #: Every which pose is compared with all pieces; number of pieces beyond those of two such poses, and between them, that poses
 #: between are compared with.
-ANCHORS, BEYOND, FEW = 16, 16, 400
+ANCHORS, BEYOND, FEW = 48, 16, 400
 #: Number of places on a piece at which a pose outside the tolerance is compared with it.
 SHARES = 33
 #: Distance from the neighbourhood of a polygon that counts as beside [m].
@@ -200,25 +200,28 @@ class _RegionPieces:
 
     def compare(self, poses: Array, pieces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
         """How far poses (k, 4, 4) are outside the best of `pieces` (j,), (k, 2), and which it is, (k,)."""
-        _, ranks = self._least(poses, pieces, _sum_of_shares)
-        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, :MANY_PIECES]], _sum_of_shares)
+        least, ranks, middle = self._least(poses, pieces, _sum_of_shares)
+        may_be = int((least <= middle.min(axis=1)[:, None]).sum(axis=1).max())
+        return self._closely(poses, pieces[np.argsort(ranks, axis=1)[:, : min(may_be, MANY_PIECES)]], _sum_of_shares)
 
     def compare_all(self, pose: Array, by: Callable[[Array, Array], Array] = _sum_of_shares) -> tuple[Array, int]:
         """How far a pose (4, 4) is outside the best of all pieces by a measure, (2,), and which it is."""
-        least, ranks = (each[0] for each in self._least(pose[None], np.arange(len(self.turns)), by))
+        least, ranks, _ = (each[0] for each in self._least(pose[None], np.arange(len(self.turns)), by))
         order, found, best = np.argsort(ranks), np.full(2, np.inf), 0
-        for begin in range(0, len(order), BLOCK):
+        for begin, end in pairwise([0, *range(MANY_PIECES, len(order), BLOCK), len(order)]):
             if (found <= self.allowed / 4).all() or by(found, self.allowed) <= least[order[begin]]:
                 break
-            own, piece = self._closely(pose[None], order[None, begin : begin + BLOCK], by)
+            own, piece = self._closely(pose[None], order[None, begin:end], by)
             if by(own[0], self.allowed) < by(found, self.allowed):
                 found, best = own[0], int(piece[0])
         return found, best
 
-    def _least(self, poses: Array, pieces: NDArray[np.int64], by: Callable[[Array, Array], Array]) -> tuple[Array, Array]:
+    def _least(
+        self, poses: Array, pieces: NDArray[np.int64], by: Callable[[Array, Array], Array]
+    ) -> tuple[Array, Array, Array]:
         """The least that any place on pieces (j,) can leave of poses (k, 4, 4), (k, j), by shares of what is allowed.
 
-        Also ranks (k, j) by which, of equal ones, those come first whose middle leaves less.
+        Also ranks (k, j) by which, of equal ones, those come first whose middle leaves less, and what the middles leave (k, j).
         """
         excess = self._excess(np.repeat(poses, len(pieces), axis=0), self.middles[np.tile(pieces, len(poses))])
         middle = excess.reshape(2, len(poses), -1)
@@ -227,7 +230,8 @@ class _RegionPieces:
             reach = np.linalg.norm(poses[:, None, :3, 3] - self.middles[pieces, :3, 3], axis=2)
             half[0] += reach * (self.half - self.room)[1, pieces]
         least = by(np.moveaxis(np.maximum(middle - half, 0.0), 0, 2), self.allowed)
-        return least, least + 1e-6 * by(np.moveaxis(middle, 0, 2), self.allowed)
+        of_middle = by(np.moveaxis(middle, 0, 2), self.allowed)
+        return least, least + 1e-6 * of_middle, of_middle
 
     def _closely(
         self, poses: Array, chosen: NDArray[np.int64], by: Callable[[Array, Array], Array]
@@ -235,6 +239,7 @@ class _RegionPieces:
         """How far poses (k, 4, 4) are outside the best of pieces chosen (k, j), (k, 2), and which it is, (k,)."""
         count = len(poses)
         share, width, least = np.full(chosen.shape, 0.5), 0.5, np.full((2, *chosen.shape), np.inf)
+        largest = float(((self.half - self.room)[:, chosen].max(axis=(1, 2)) / self.allowed).max())
         for _ in range(ROUNDS):  # closer and closer about the best places of the best pieces
             piece, row = np.repeat(chosen.ravel(), CLOSE), np.repeat(np.arange(count), chosen.shape[1] * CLOSE)
             close = np.clip(share[..., None] + width * np.linspace(-1.0, 1.0, CLOSE), 0.0, 1.0)
@@ -247,7 +252,10 @@ class _RegionPieces:
             # beside a polygon position and rotation are each compared on their own
             own = np.take_along_axis(excess, place[None], axis=3)[..., 0] if not self.widen else excess.min(axis=3)
             least = np.take_along_axis(np.minimum(least, own) if self.widen else own, order[None], axis=2)
-            chosen, width = np.take_along_axis(chosen, order, axis=1), 2 * width / (CLOSE - 1)
+            chosen = np.take_along_axis(chosen, order, axis=1)
+            if width * largest <= 4 * CLOSELY_FOUND:  # half the distance between two places
+                break
+            width *= 2 / (CLOSE - 1)
         return least[:, :, 0].T, chosen[:, 0]
 
     def _excess(self, poses: Array, there: Array) -> Array:

@@ -156,6 +156,7 @@ class TimeLimit:
     def check_ending(self, seconds: float) -> None:
         """Raise OutOfTimeError if timing and checks, which take about this long [s], would end too late."""
         if self._last.left < LEAST_ENDING * seconds:
+            self.step = f"timing and checks, which take about {seconds:.1g} s"
             raise OutOfTimeError
 
     def missed(self, what: str) -> str:

@@ -71,8 +71,8 @@ class Status(Enum):
         "largest minimum manipulability found with so few, and every check passed"
     )
     NOT_CONNECTED = (
-        "failed: no continuous path leads through the candidates of all positions; follow names what ends the motions; in a "
-        "search take a larger epsilon, more samples or more positions"
+        "failed: no continuous path leads through the candidates of all positions; take more positions, more samples or a "
+        "larger epsilon; mp.follow with its default positions and samples names what ends the motions"
     )
     # programs
     CARRIED = "carried: all tools move the object along its path, one arm led and the others followed, and every check passed"

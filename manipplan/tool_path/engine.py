@@ -27,6 +27,7 @@ from manipplan.support.deadline import NEVER, Deadline, TimeLimit, work_time
 from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, silent
 from manipplan.support.status import Failure
+from manipplan.symbolic.free_motion import BoundedMotion
 from manipplan.timing.constant_speed import SpeedDemand, SteadySpeed
 
 #: Share of a tolerance that is used at the positions, and between them before knots are added: timing needs some of it, too.
@@ -131,8 +132,8 @@ CLOSER, BETWEEN_POSITIONS = 5, 12
 SPACING = 0.05
 #: Time for a refinement that may take none [s].
 SHORTEST = 1e-3
-#: Time that timing and checks of a motion take [s], at least, and for each second in which its path is joined.
-ENDING, ENDING_OF_JOINING = 0.3, 25.0
+#: Time that timing and checks of a motion take [s], at least, for each second in which its path is joined, and for regions.
+ENDING, ENDING_OF_JOINING, ENDING_OF_REGIONS = 0.3, 25.0, 1.5
 #: How many times this time is left for them while a motion is improved, as timing takes longer near singularities.
 RESERVED = 1.5
 #: Maximum number of configurations at a position from which steps lead to others, and error of these [m, rad].
@@ -492,11 +493,18 @@ class ToolPathPlanner:
     def _seed_of(self, found: SearchResult, *, hold_start: bool) -> tuple[JointPath, NDArray[np.bool_], float]:
         """The joint path through the candidates of a path found, and in which intervals it follows the workspace path.
 
-        Also returns the time that timing and checks are likely to take [s].
+        Also returns the time that timing and checks are likely to take [s]. Pieces of intervals in which it does not follow do
+        not count for that: there are many, until positions between make them few.
         """
         began = work_time()
         seed, is_inside = self._joined(found.q, None, hold_start=hold_start)
-        return seed, is_inside, ENDING + ENDING_OF_JOINING * (work_time() - began)
+        joining = work_time() - began
+        assert self.layers.s is not None
+        of_pieces = np.searchsorted(self.layers.s, (seed.breaks[:-1] + seed.breaks[1:]) / 2) - 1
+        ending = ENDING + ENDING_OF_JOINING * joining * float(is_inside[of_pieces].mean())
+        if isinstance(self._sampler.kinematics.free_motion, BoundedMotion):
+            ending += ENDING_OF_REGIONS
+        return seed, is_inside, ending
 
     def improving_until(self, found: SearchResult) -> Deadline:
         """The time by which a path that was found has to be timed and checked to end by the deadline."""

@@ -40,6 +40,10 @@ DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
 #: Which way out of a fold, and in which axes a command is; numbered as in servo.c.
 WAYS = ("same", "other", "free")
 FRAMES = ("world", "tool", "base")
+#: Largest change of a row from one step to the next with which the rows count as the same.
+TURNED = 0.1
+#: In place of a frame or `free` that may have other contents at the next step.
+_CHANGING = object()
 PROBLEM = "servo_problem"
 INPUTS = ("q", "qd", "qdd", "dt", "obstacles")
 OUTPUTS = ("columns", "rotation", "origin", "low", "high", "matrix", "bound", "distance")
@@ -154,8 +158,8 @@ class Servo:
             task: the rows that are followed; default: whole twists with 0.3 m per radian, or the robot's default task where
                 this has fewer rows.
             side: which way the arm leaves the edge of its reach: to the "same" side from which it came (elbow up stays up),
-                to the "other" one, or "free": to the side with more room to joint limits. A
-                straight wrist is passed whatever it is: no setting keeps the arm on one side.
+                to the "other" one, or "free": to the side with more room to joint limits. A straight wrist is passed whatever
+                it is: no setting keeps the arm on one side; nor a joint that the rows which are followed can pass.
             avoidance: collision avoidance; None: no avoidance.
             smoothing: time constant of a low-pass filter of the command [s]; 0: none.
             timeout: time after which a command that was not renewed is stale [s].
@@ -369,7 +373,7 @@ class Servo:
         inputs = [_view(s, "q", n), _view(s, "qd", n), _view(s, "qdd", n), _view(s, "dt", 1), self._obstacles]
         outputs = [self._arrays[name] for name in OUTPUTS]
         s.obstacles, s.moving = self._obstacles.ctypes.data, len(self._obstacles) // OBSTACLE_SIZE
-        self._frame: Any = None
+        self._frame: Any = _CHANGING
         self._free: Any = None
         self._choose_axes("tool", None)
         self._law = load_kernel("servo").functions(quick=("servo",))["servo"]
@@ -420,12 +424,16 @@ class Servo:
             turned = np.kron(np.eye(2), np.eye(3) if s.frame == _WORLD else axes.T)
             world, tool = (np.empty((0, 6)), rows) if s.frame == _TOOL else (rows @ turned, np.empty((0, 6)))
         selection = np.concatenate([world, tool])
-        if len(selection) != s.world_rows + s.tool_rows or (self._arrays["selection"][: len(selection)] != selection).any():
-            self._arrays["selection"][: len(selection)] = selection
+        before = self._arrays["selection"][: len(selection)]
+        kinds = (s.world_rows, s.tool_rows) == (len(world), len(tool))
+        if (
+            not kinds or np.abs(before - selection).max() > TURNED
+        ):  # axes that turn slowly, as a camera's, leave the memory valid
             s.guessed = s.has_inside = s.has_way = s.leaves = 0
+        before[:] = selection
         s.world_rows, s.tool_rows = len(world), len(tool)
-        # what may change in place is not taken for the same the next time
-        self._frame, self._free = frame if isinstance(frame, str) else None, free if isinstance(free, str | tuple) else None
+        self._frame = frame if isinstance(frame, str) else _CHANGING
+        self._free = free if isinstance(free, str | tuple | None) else _CHANGING
 
 
 #: What is commanded, and in which axes; as in servo.c.
