@@ -1,7 +1,7 @@
 """A plan as the reference of `mp.Servo` and `mp.track`: how near a motion without foresight comes to the optimum.
 
-Run with `.venv/bin/python benchmarks/servo_reference.py`; it takes half an hour to two hours. --folder keeps
-the tasks. Writes docs/benchmarks/servo_reference.md.
+Run with `.venv/bin/python benchmarks/servo_reference.py`; it takes half an hour to two hours. --folder keeps the
+tasks. Writes docs/benchmarks/servo_reference.md.
 
 A task is a line of the tool of 0.6 to 0.9 of the arm's reach, on which the tool turns by up to 0.8 rad about each axis. The
 plan is that of `mp.follow`, with its start free. The tool then moves on a disturbed path, which begins at the same pose: it is

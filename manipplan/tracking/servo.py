@@ -425,10 +425,9 @@ class Servo:
             world, tool = (np.empty((0, 6)), rows) if s.frame == _TOOL else (rows @ turned, np.empty((0, 6)))
         selection = np.concatenate([world, tool])
         before = self._arrays["selection"][: len(selection)]
-        kinds = (s.world_rows, s.tool_rows) == (len(world), len(tool))
-        if (
-            not kinds or np.abs(before - selection).max() > TURNED
-        ):  # axes that turn slowly, as a camera's, leave the memory valid
+        # what was learned still holds in axes that turn slowly, such as a camera's
+        alike = (s.world_rows, s.tool_rows) == (len(world), len(tool)) and np.abs(before - selection).max() <= TURNED
+        if not alike:
             s.guessed = s.has_inside = s.has_way = s.leaves = 0
         before[:] = selection
         s.world_rows, s.tool_rows = len(world), len(tool)
