@@ -40,6 +40,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define LENGTH 0.3       /* metres per radian where a pose is approached */
 #define APPROACH 2.0     /* largest deceleration with which it is approached [m/s²] */
 #define STOPPING 0.5     /* and the largest share of the joints' acceleration that it takes: the tool does not go straight */
+#define LAGS 4.0         /* time steps and time constants of the smoothing in which the last part is left to go: without overshoot */
 #define FASTEST 5.0      /* and the maximum speed [m/s] */
 #define RETURN 20.0      /* rate at which the drive returns to a planned motion [1/s] */
 #define BRANCH 0.5       /* distance in the null space from which on it does not: another branch [rad] */
@@ -1196,8 +1197,8 @@ static double deceleration_along(const Servo *servo, const double *twist) {
     return slowest;
 }
 
-/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed,
-   which lags; with four times its time constant the last part does not overshoot. Returns 0 for no pose. */
+/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed, and
+   where the state is a step or two old. Returns 0 for no pose. */
 static int toward_pose(const Servo *servo, double *twist) {
     const double *P = servo->pose;
     if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
@@ -1208,7 +1209,7 @@ static int toward_pose(const Servo *servo, double *twist) {
     double size = sqrt(dot(3, twist, twist) + LENGTH * LENGTH * dot(3, twist + 3, twist + 3));
     if (!(size > 1e-12)) size = 1; /* there is nothing left */
     for (int a = 0; a < 6; a++) twist[a] /= size;
-    double speed = least(FASTEST, stopping(size, deceleration_along(servo, twist), duration(servo) + 4 * servo->smoothing));
+    double speed = least(FASTEST, stopping(size, deceleration_along(servo, twist), LAGS * (duration(servo) + servo->smoothing)));
     for (int a = 0; a < 6; a++) twist[a] *= speed;
     return 1;
 }

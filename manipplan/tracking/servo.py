@@ -215,7 +215,7 @@ class Servo:
         """Joint velocities (n,) to command for the next `dt` that move the tool with `twist`.
 
         Args:
-            q: positions (n,) [rad or m].
+            q: positions (n,) [rad or m]; where measurements are late, those that were commanded.
             qd: last commanded velocities (n,).
             twist: velocity (6,) of the tool's origin [m/s], then of its rotation [rad/s]; None: no new command, so the last one
                 goes on until `timeout`.
