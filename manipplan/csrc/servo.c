@@ -40,7 +40,7 @@ enum { FOLLOWING, NOT_SOLVED, STALE, BAD_COMMAND, BAD_STATE, BAD_TIME_STEP };
 #define LENGTH 0.3       /* metres per radian where a pose is approached */
 #define APPROACH 2.0     /* largest deceleration with which it is approached [m/s²] */
 #define STOPPING 0.5     /* and the largest share of the joints' acceleration that it takes: the tool does not go straight */
-#define LAGS 4.0         /* time steps and time constants of the smoothing in which the last part is left to go: without overshoot */
+#define LAGS 4.0         /* time steps and time constants of the smoothing with which the last part decays, so that it does not swing */
 #define FASTEST 5.0      /* and the maximum speed [m/s] */
 #define RETURN 20.0      /* rate at which the drive returns to a planned motion [1/s] */
 #define BRANCH 0.5       /* distance in the null space from which on it does not: another branch [rad] */
@@ -1197,8 +1197,8 @@ static double deceleration_along(const Servo *servo, const double *twist) {
     return slowest;
 }
 
-/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed, and
-   where the state is a step or two old. Returns 0 for no pose. */
+/* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed.
+   It comes to rest from states that are a step or two old, too. Returns 0 for no pose. */
 static int toward_pose(const Servo *servo, double *twist) {
     const double *P = servo->pose;
     if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
