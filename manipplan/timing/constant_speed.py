@@ -88,14 +88,14 @@ def check_tool_speed(speed: float, path: CartesianPath) -> float:
     positions = path(s)[:, :3, 3]
     steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
     at = None
-    if not (steps > IN_PLACE * steps.mean()).all():
-        at = float(s[steps.argmin()] + s[1] / 2)
-    for k in np.flatnonzero(_turns(positions) < BACK) if at is None else ():
+    for k in np.flatnonzero(_turns(positions) < BACK):
         finer = np.linspace(s[k], s[k + 2], 2 * FINER + 1)
         turns = _turns(path(finer)[:, :3, 3])
         if turns.min() < BACK:
             at = float(finer[turns.argmin() + 1])
             break
+    if at is None and not (steps > IN_PLACE * steps.mean()).all():
+        at = float(s[steps.argmin()] + s[1] / 2)
     if at is not None:
         where = place(at, path(at)[:3, 3])
         wanted = f"a path that moves the tool all along: {where}, it turns the tool in place or back; split it there"
