@@ -101,6 +101,8 @@ typedef struct {
     double qdd[16], held[6], filtered[6], age, guess[36], inside[16], way[16], stays[16];
     long reverses[6], guessed, has_inside, has_way, leaves, knot, placed;
     double beside[16];
+    /* of the task's rows in this state: wrenches of the twist in world axes, what of these turns with the tool, derivatives by q */
+    double wrench[6][6], turning[6][6], rows[6][16];
     /* the result */
     double result[16], twist[6], speed, followed, slip, seconds, metres, wall, smallest, clearance;
     long kind, joint, limit, limit_joint, status;
@@ -146,7 +148,7 @@ static void cross(const double *a, const double *b, double *out) {
 /* Singular values and vectors of J by rotations of its rows [one-sided Jacobi], from the last U on; V is completed to a basis. */
 static void decompose(Work *w, Servo *servo) {
     long m = w->m, n = w->n;
-    double A[ROWS][MOST];
+    double A[ROWS][MOST], squared[ROWS];
     if (!servo->guessed) {
         memset(servo->guess, 0, sizeof servo->guess);
         for (long k = 0; k < m; k++) servo->guess[k * ROWS + k] = 1;
@@ -161,13 +163,15 @@ static void decompose(Work *w, Servo *servo) {
     }
     for (int sweep = 0, turned = 1; sweep < 30 && turned; sweep++) {
         turned = 0;
+        for (long k = 0; k < m; k++) squared[k] = dot(n, A[k], A[k]);
         for (long p = 0; p < m - 1; p++)
             for (long q = p + 1; q < m; q++) {
-                double a = dot(n, A[p], A[p]), b = dot(n, A[q], A[q]), c = dot(n, A[p], A[q]);
+                double a = squared[p], b = squared[q], c = dot(n, A[p], A[q]);
                 if (c * c <= 1e-22 * a * b || fabs(c) < 1e-26) continue;
                 turned = 1;
                 double z = (b - a) / (2 * c), t = (z > 0 ? 1 : -1) / (fabs(z) + sqrt(1 + z * z));
                 double cosine = 1 / sqrt(1 + t * t), sine = cosine * t;
+                squared[p] = most(a - t * c, 0), squared[q] = most(b + t * c, 0);
                 for (long j = 0; j < n; j++) {
                     double x = A[p][j], y = A[q][j];
                     A[p][j] = cosine * x - sine * y, A[q][j] = sine * x + cosine * y;
@@ -181,7 +185,7 @@ static void decompose(Work *w, Servo *servo) {
     double s[ROWS];
     long order[ROWS];
     for (long k = 0; k < m; k++) {
-        s[k] = sqrt(dot(n, A[k], A[k]));
+        s[k] = sqrt(squared[k]);
         long at = k;
         for (; at > 0 && s[order[at - 1]] < s[k]; at--) order[at] = order[at - 1];
         order[at] = k;
@@ -221,19 +225,23 @@ static void decompose(Work *w, Servo *servo) {
     }
 }
 
-/* The rows' wrench (6) in world axes of weights u (m), and in `turning` that of the tool's rows alone. */
-static void wrench_of(const Servo *servo, const double *u, double *out, double *turning) {
-    memset(out, 0, 6 * sizeof *out);
-    memset(turning, 0, 6 * sizeof *turning);
-    for (long k = 0; k < servo->world_rows; k++)
-        for (int a = 0; a < 6; a++) out[a] += u[k] * servo->selection[6 * k + a];
-    for (long k = servo->world_rows; k < servo->world_rows + servo->tool_rows; k++) {
-        const double *row = servo->selection + 6 * k, *R = servo->rotation;
+/* The wrenches and derivatives of the task's rows. */
+static void read_rows(Servo *servo) {
+    const double *R = servo->rotation;
+    for (long k = 0; k < servo->world_rows + servo->tool_rows; k++) {
+        const double *chosen = servo->selection + 6 * k;
+        double *wrench = servo->wrench[k], *turning = servo->turning[k], *row = servo->rows[k];
+        int turns = k >= servo->world_rows;
         for (int half = 0; half < 6; half += 3)
-            for (int a = 0; a < 3; a++)
-                turning[half + a] += u[k] * (R[a] * row[half] + R[3 + a] * row[half + 1] + R[6 + a] * row[half + 2]);
+            for (int a = 0; a < 3; a++) {
+                double turned = R[a] * chosen[half] + R[3 + a] * chosen[half + 1] + R[6 + a] * chosen[half + 2];
+                wrench[half + a] = turns ? turned : chosen[half + a];
+                turning[half + a] = turns ? turned : 0;
+            }
+        for (long j = 0; j < servo->joints; j++) row[j] = 0;
+        for (long p = 0; p < servo->physical; p++)
+            row[servo->leader[p]] += servo->ratio[p] * dot(6, wrench, servo->columns + 6 * p);
     }
-    for (int a = 0; a < 6; a++) out[a] += turning[a];
 }
 
 /* Σ_j y_jᵀ ∂J_j/∂q_i for each free joint i: `y` (physical, 6) are wrenches on the columns, `turning` the parts of these that turn
@@ -266,10 +274,18 @@ static void contract(const Servo *servo, const Work *w, double y[MOST][6], doubl
     for (long i = 0; i < w->n; i++) out[i] = all[w->joint[i]];
 }
 
+/* The wrench (6) of weights u (m) of the rows, and what of it turns with the tool. */
+static void weighted(const Servo *servo, const Work *w, const double *u, double *wrench, double *turning) {
+    memset(wrench, 0, 6 * sizeof *wrench);
+    memset(turning, 0, 6 * sizeof *turning);
+    for (long k = 0; k < w->m; k++)
+        for (int a = 0; a < 6; a++) wrench[a] += u[k] * servo->wrench[k][a], turning[a] += u[k] * servo->turning[k][a];
+}
+
 /* ∂(uᵀ J v)/∂q (n) for weights u (m) of the rows and a joint direction v (n). */
 static void slope_of(const Servo *servo, const Work *w, const double *u, const double *v, double *out) {
     double wrench[6], turning[6], y[MOST][6], turns[MOST][6], whole[MOST] = {0};
-    wrench_of(servo, u, wrench, turning);
+    weighted(servo, w, u, wrench, turning);
     for (long i = 0; i < w->n; i++) whole[w->joint[i]] = v[i];
     for (long p = 0; p < servo->physical; p++) {
         double share = servo->ratio[p] * whole[servo->leader[p]];
@@ -340,15 +356,24 @@ static void eigen(long n, double A[MOST][MOST], double value[MOST], double vecto
         }
 }
 
-/* M (n, n) with M[i][j] = uᵀ ∂J_j/∂q_i, for weights u of the rows. */
+/* M (n, n) with M[i][j] = uᵀ ∂J_j/∂q_i, for weights u of the rows, as in `contract`. */
 static void second_order(const Servo *servo, const Work *w, const double *u, double M[MOST][MOST]) {
-    double v[MOST] = {0}, column[MOST];
-    for (long j = 0; j < w->n; j++) {
-        v[j] = 1;
-        slope_of(servo, w, u, v, column);
-        v[j] = 0;
-        for (long i = 0; i < w->n; i++) M[i][j] = column[i];
+    double y[6], turning[6], all[MOST][MOST] = {0};
+    weighted(servo, w, u, y, turning);
+    for (long p = 0; p < servo->physical; p++) {
+        const double *moved = servo->columns + 6 * p;
+        double after[3], angular[3], turns[3], half[3], before[3];
+        cross(moved, y, after), cross(moved + 3, y + 3, angular), cross(y, moved + 3, before);
+        cross(moved, turning, turns), cross(moved + 3, turning + 3, half);
+        for (int a = 0; a < 3; a++) after[a] += angular[a], turns[a] += half[a];
+        for (long q = 0; q < servo->physical; q++) {
+            const double *column = servo->columns + 6 * q;
+            double each = (q <= p ? dot(3, column + 3, after) : dot(3, column, before)) - dot(3, column + 3, turns);
+            all[servo->leader[q]][servo->leader[p]] += servo->ratio[q] * servo->ratio[p] * each;
+        }
     }
+    for (long i = 0; i < w->n; i++)
+        for (long j = 0; j < w->n; j++) M[i][j] = all[w->joint[i]][w->joint[j]];
 }
 
 /* K = sym(Nᵀ M N) for the rows of N (d, n). */
@@ -439,9 +464,8 @@ static void add_return(const Servo *servo, const Work *w, double Y[ROWS][MOST], 
 static void drive_of(const Servo *servo, const Work *w, double Y[ROWS][MOST], double *z) {
     double y[MOST][6] = {0}, turns[MOST][6] = {0};
     for (long k = 0; k < w->m; k++) {
-        double u[ROWS] = {0}, wrench[6], turning[6], whole[MOST] = {0};
-        u[k] = 1;
-        wrench_of(servo, u, wrench, turning);
+        const double *wrench = servo->wrench[k], *turning = servo->turning[k];
+        double whole[MOST] = {0};
         for (long i = 0; i < w->n; i++) whole[w->joint[i]] = Y[k][i];
         for (long p = 0; p < servo->physical; p++) {
             double part = servo->ratio[p] * whole[servo->leader[p]];
@@ -475,38 +499,33 @@ static void drive_null_space(const Servo *servo, Work *w) {
     }
 }
 
-/* The solution of (1) where all singular values are large and no bound is active: q̇ = J⁺ V + (I - J⁺ J) z, by the inverse of JJᵀ, whose
-   trace is at least 1 / σ². Returns 0 elsewhere. */
+/* The solution of (1) where all singular values are large and no bound is active: q̇ = J⁺ V + (I - J⁺ J) z, with Y = (J⁺)ᵀ. The squared
+   entries of YYᵀ = (JJᵀ)⁻¹ add up to at least 1 / σ⁴. Returns 0 elsewhere. */
 static int is_far(const Servo *servo, Work *w, double *x) {
     long m = w->m, n = w->n;
-    double L[ROWS][ROWS], inverse[ROWS][ROWS] = {0}, trace = 0, y[ROWS];
+    double L[ROWS][ROWS], Y[ROWS][MOST], squares = 0;
     if (n < m) return 0;
-    for (long a = 0; a < m; a++)
+    for (long a = 0; a < m; a++) { /* L Lᵀ = JJᵀ, Y = L⁻¹ J */
         for (long b = 0; b <= a; b++) {
-            double sum = dot(n, w->J[a], w->J[b]);
-            for (long k = 0; k < b; k++) sum -= L[a][k] * L[b][k];
+            double sum = dot(n, w->J[a], w->J[b]) - dot(b, L[a], L[b]);
             if (a == b && !(sum > 0.5 * SMALL * SMALL)) return 0; /* σ² is at most any pivot */
             L[a][b] = a == b ? sqrt(sum) : sum / L[b][b];
         }
-    for (long c = 0; c < m; c++) { /* columns of L⁻¹, of which the inverse is the square */
-        double column[ROWS] = {0};
-        for (long a = c; a < m; a++) {
-            double sum = a == c;
-            for (long k = c; k < a; k++) sum -= L[a][k] * column[k];
-            column[a] = sum / L[a][a];
-            y[a] = column[a];
-        }
-        for (long a = c; a < m; a++) trace += y[a] * y[a], inverse[a][c] = y[a];
+        memcpy(Y[a], w->J[a], sizeof Y[a]);
+        for (long b = 0; b < a; b++)
+            for (long i = 0; i < n; i++) Y[a][i] -= L[a][b] * Y[b][i];
+        for (long i = 0; i < n; i++) Y[a][i] /= L[a][a];
     }
-    if (trace * SMALL * SMALL > 1) return 0;
-    double whole[ROWS][ROWS] = {0};
-    for (long a = 0; a < m; a++)
-        for (long b = 0; b < m; b++)
-            for (long k = a > b ? a : b; k < m; k++) whole[a][b] += inverse[k][a] * inverse[k][b];
-    double Y[ROWS][MOST] = {0};
-    for (long a = 0; a < m; a++)
-        for (long b = 0; b < m; b++)
-            for (long i = 0; i < n; i++) Y[a][i] += whole[a][b] * w->J[b][i];
+    for (long a = m - 1; a >= 0; a--) { /* Y = L⁻ᵀ L⁻¹ J */
+        for (long b = a + 1; b < m; b++)
+            for (long i = 0; i < n; i++) Y[a][i] -= L[b][a] * Y[b][i];
+        for (long i = 0; i < n; i++) Y[a][i] /= L[a][a];
+        for (long b = a; b < m; b++) {
+            double entry = dot(n, Y[a], Y[b]);
+            squares += (a == b ? 1 : 2) * entry * entry;
+        }
+    }
+    if (sqrt(squares) * SMALL * SMALL > 1) return 0;
     for (long i = 0; i < n; i++) {
         x[i] = 0;
         for (long a = 0; a < m; a++) x[i] += Y[a][i] * w->W[a];
@@ -526,7 +545,7 @@ static int is_far(const Servo *servo, Work *w, double *x) {
         double row[MOST], bound = row_of(servo, w, c, row);
         if (bound > -1e12 && dot(n, row, x) < bound) return 0;
     }
-    w->s[w->r - 1] = 1 / sqrt(trace);
+    w->s[w->r - 1] = 1 / sqrt(sqrt(squares));
     return 1;
 }
 
@@ -917,25 +936,14 @@ static void braking_bounds(const Servo *servo, long j, double *low, double *high
     *high = clip(stopping(servo->upper[j] - servo->q[j], force, T), -speed, speed);
 }
 
-/* Row k of the task: the wrench (6) that it is of the twist, and its derivatives by the joints (joints). */
-static void row_of_task(const Servo *servo, long k, double *wrench, double *row) {
-    double u[ROWS] = {0}, turning[6];
-    u[k] = 1;
-    wrench_of(servo, u, wrench, turning);
-    for (long j = 0; j < servo->joints; j++) row[j] = 0;
-    for (long p = 0; p < servo->physical; p++)
-        row[servo->leader[p]] += servo->ratio[p] * dot(6, wrench, servo->columns + 6 * p);
-}
-
 /* Of the joints in w->joint: solve (1); the others move by `fixed` (joints). Writes q̇ (joints). */
 static int solve(Servo *servo, Work *w, const double *fixed, double *velocity, double *force) {
     long n = w->n, m = servo->world_rows + servo->tool_rows, joints = servo->joints;
-    double row[MOST], x[MOST], part[MOST + 1];
+    double x[MOST], part[MOST + 1];
     w->m = m, w->r = n < m ? n : m;
     for (long k = 0; k < m; k++) {
-        double wrench[6];
-        row_of_task(servo, k, wrench, row);
-        w->W[k] = dot(6, wrench, servo->twist) - dot(joints, row, fixed);
+        const double *row = servo->rows[k];
+        w->W[k] = dot(6, servo->wrench[k], servo->twist) - dot(joints, row, fixed);
         for (long i = 0; i < n; i++) w->J[k][i] = row[w->joint[i]];
     }
     for (long i = 0; i < n; i++) {
@@ -993,23 +1001,16 @@ static int stands(const Servo *servo, long j, double force) {
 
 static int is_pushed(const Servo *servo, long j, double force) { return force != 0 && stands(servo, j, force); }
 
-/* Rates of the task's rows (m) at joint velocities. */
-static void rates_of(const Servo *servo, const Work *w, const double *velocity, double *out) {
-    for (long k = 0; k < w->m; k++) {
-        double u[ROWS] = {0}, wrench[6], turning[6];
-        u[k] = 1, out[k] = 0;
-        wrench_of(servo, u, wrench, turning);
-        for (long p = 0; p < servo->physical; p++)
-            out[k] += servo->ratio[p] * velocity[servo->leader[p]] * dot(6, wrench, servo->columns + 6 * p);
-    }
-}
-
 /* The share of a command (m) that is followed along it, and the part across it. */
 static void compare(Servo *servo, long m, const double *command, const double *rate) {
-    double size = sqrt(dot(m, command, command)), along_it = size > 0 ? dot(m, rate, command) / size : 0;
+    double size = sqrt(dot(m, command, command)), along_it = size > 0 ? dot(m, rate, command) / size : 0, across = 0;
+    for (long k = 0; k < m && size > 0; k++) {
+        double part = rate[k] - along_it * command[k] / size;
+        across += part * part;
+    }
     servo->speed = size;
     servo->followed = size > 0 ? along_it / size : 1;
-    servo->slip = size > 0 ? sqrt(most(dot(m, rate, rate) - along_it * along_it, 0)) / size : 0;
+    servo->slip = size > 0 ? sqrt(across) / size : 0;
 }
 
 /* What limits the step of the joints in w->joint: the bound or row that pushes most. */
@@ -1069,7 +1070,7 @@ static int follow_twist(Servo *servo, double *velocity) {
     servo->has_inside = w->has_inside, servo->has_way = w->has_way, servo->leaves = w->leaves;
     memcpy(servo->reverses, w->reverses, sizeof servo->reverses);
     if (!solved) return 0;
-    rates_of(servo, w, velocity, rate);
+    for (long k = 0; k < w->m; k++) rate[k] = dot(joints, servo->rows[k], velocity);
     compare(servo, w->m, command, rate);
     find_limit(servo, &whole, force);
     servo->smallest = w->s[w->r - 1], servo->kind = w->kind, servo->seconds = w->seconds;
@@ -1173,12 +1174,11 @@ static void turn_toward(const Servo *servo, const double *P, double *vector) {
 
 /* The deceleration with which the tool stops along a twist (6) whose size is 1: at most APPROACH, and that of the joints' least
    motion y = Jᵀ (JJᵀ)⁻¹ b, which slows down in proportion, with the share STOPPING of their acceleration. */
-static double deceleration_along(const Servo *servo, const double *twist) {
+static double deceleration_along(Servo *servo, const double *twist) {
     long m = servo->world_rows + servo->tool_rows;
-    double J[ROWS][MOST], L[ROWS][ROWS], u[ROWS], wrench[6], slowest = APPROACH;
+    double (*J)[16] = servo->rows, L[ROWS][ROWS], u[ROWS], slowest = APPROACH;
     for (long a = 0; a < m; a++) { /* L Lᵀ = JJᵀ + DAMPED, L u = b */
-        row_of_task(servo, a, wrench, J[a]);
-        u[a] = dot(6, wrench, twist);
+        u[a] = dot(6, servo->wrench[a], twist);
         for (long b = 0; b <= a; b++) {
             double sum = dot(servo->joints, J[a], J[b]) + (a == b ? DAMPED : 0) - dot(b, L[a], L[b]);
             L[a][b] = a == b ? sqrt(sum) : sum / L[b][b];
@@ -1199,7 +1199,7 @@ static double deceleration_along(const Servo *servo, const double *twist) {
 
 /* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed.
    It comes to rest from states that are a step or two old, too. Returns 0 for no pose. */
-static int toward_pose(const Servo *servo, double *twist) {
+static int toward_pose(Servo *servo, double *twist) {
     const double *P = servo->pose;
     if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
     for (int a = 0; a < 4; a++)
@@ -1270,6 +1270,7 @@ void manipplan_servo(Servo *servo) {
         if (!sound || !all_below(joints, servo->command, LARGEST)) servo->status = BAD_COMMAND;
         else if (!follow_joints(servo, velocity)) servo->status = NOT_SOLVED;
     } else {
+        read_rows(servo);
         servo->status = sound ? read_command(servo) : BAD_COMMAND;
         if (servo->status == FOLLOWING && !follow_twist(servo, velocity)) servo->status = NOT_SOLVED;
     }

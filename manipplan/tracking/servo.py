@@ -229,13 +229,9 @@ class Servo:
 
         `gauge` tells the result. Raises InvalidInputError only for arguments of a wrong shape or name, never for values.
         """
-        s = self.law
         if frame is not self._frame or free is not self._free:
             self._choose_axes(frame, free)
-        s.mode, s.fresh = _TWIST, twist is not None
-        if twist is not None:
-            self._put("twist", self._twist, twist)
-        return self._step(q, qd, obstacles, dt)
+        return self._step(_TWIST, q, qd, "twist", self._twist, twist, obstacles, dt)
 
     def step_pose(
         self,
@@ -250,11 +246,10 @@ class Servo:
 
         Rotations that the task leaves free need not be reached.
         """
-        self._put("pose", self._pose, getattr(pose, "homogeneous", pose))
         if self._frame != "world" or self._free is not None:
             self._choose_axes("world", None)
-        self.law.mode, self.law.fresh = _POSE, 1
-        return self._step(q, qd, obstacles, dt)
+        pose = array_of_shape("pose", getattr(pose, "homogeneous", pose), (4, 4)).ravel()
+        return self._step(_POSE, q, qd, "pose", self._pose, pose, obstacles, dt)
 
     def step_joints(
         self,
@@ -266,14 +261,12 @@ class Servo:
         dt: float | None = None,
     ) -> Array:
         """The joint velocities (n,) nearest to `velocity` (n,) that keep limits and distances: a joint jog."""
-        self._put("velocity", self._joints, velocity)
-        self.law.mode = _JOINTS
-        return self._step(q, qd, obstacles, dt)
+        velocity = array_of_shape("velocity", velocity, (self.robot.n,))
+        return self._step(_JOINTS, q, qd, "velocity", self._joints, velocity, obstacles, dt)
 
     def brake(self, q: ArrayLike, qd: ArrayLike, *, dt: float | None = None) -> Array:
         """Joint velocities (n,) that brake as hard as all limits allow."""
-        self.law.mode = _BRAKE
-        return self._step(q, qd, None, dt)
+        return self._step(_BRAKE, q, qd, "", self._joints, None, None, dt)
 
     def reset(self) -> None:
         """Clear the memory of past steps: last command, last acceleration, the side of a singularity that was approached."""
@@ -366,8 +359,9 @@ class Servo:
     def _connect(self) -> None:
         """Connect the arrays that the Function and the law read and write."""
         n, s = self.robot.n, self.law
-        self._q, self._qd, self._joints = (_view(s, name, n).data for name in ("q", "qd", "command"))
-        self._twist, self._pose = _view(s, "command", 6).data, _view(s, "pose", 16).reshape(4, 4).data
+        places = (("q", n), ("qd", n), ("command", n), ("command", 6), ("pose", 16))
+        views: list[Any] = [_view(s, name, count).data for name, count in places]
+        self._q, self._qd, self._joints, self._twist, self._pose = views
         self._axes, self._result = _view(s, "axes", 9), _view(s, "result", n)
         self._obstacles = np.zeros(self._problem.nnz_in("obstacles"))
         inputs = [_view(s, "q", n), _view(s, "qd", n), _view(s, "qdd", n), _view(s, "dt", 1), self._obstacles]
@@ -387,21 +381,28 @@ class Servo:
         for i, array in enumerate(outputs[: self._problem.n_out()]):
             self._buffer.set_res(i, array.data)
 
-    def _put(self, argument: str, into: Any, value: Any) -> None:
-        """Write an argument; memoryviews take exactly as many doubles as they hold."""
-        try:
-            if type(value) is not np.ndarray:
+    def _step(
+        self, mode: int, q: ArrayLike, qd: ArrayLike, name: str, into: Any, command: Any, obstacles: Any, dt: float | None
+    ) -> Array:
+        """One step with a command, the argument `name`, that is written `into` a view of the struct; None: no new one."""
+        s = self.law
+        s.mode, s.fresh = mode, command is not None
+        try:  # memoryviews take exactly as many doubles as they hold
+            if not (type(q) is type(qd) is np.ndarray):
                 raise TypeError
-            into[:] = value
-        except (TypeError, ValueError, NotImplementedError):
-            np.asarray(into)[...] = array_of_shape(argument, value, tuple(into.shape))
-
-    def _step(self, q: ArrayLike, qd: ArrayLike, obstacles: Any, dt: float | None) -> Array:
-        self._put("q", self._q, q)
-        self._put("qd", self._qd, qd)
+            self._q[:] = q
+            self._qd[:] = qd
+            if command is not None:
+                if type(command) is not np.ndarray:
+                    raise TypeError
+                into[:] = command
+        except (TypeError, ValueError):
+            given = {"q": (self._q, q), "qd": (self._qd, qd)} | ({} if command is None else {name: (into, command)})
+            for argument, (view, value) in given.items():
+                np.asarray(view)[:] = array_of_shape(argument, value, view.shape)
         if obstacles is not None or self._obstacles.size:
             set_moving(self._avoidance, {} if obstacles is None else obstacles, self._obstacles)
-        self.law.dt = self.dt if dt is None else float(array_of_shape("dt", dt, ()))
+        s.dt = self.dt if dt is None else float(array_of_shape("dt", dt, ()))
         if self._library is None:
             self._evaluate()
         self._law(self._address)
