@@ -109,6 +109,7 @@ benchmark: $(READY)
 	$(BIN)/python benchmarks/killed_saves.py
 	$(BIN)/python benchmarks/random_steps.py
 	$(BIN)/python benchmarks/control_step.py
+	$(BIN)/python benchmarks/servo_step.py
 	$(BIN)/python benchmarks/six_joint_arms.py
 	$(BIN)/python benchmarks/own_configuration.py
 	$(BIN)/python benchmarks/slide_arms.py

@@ -5,7 +5,8 @@ back at up to 0.5 m/s, while it turns; it reaches the edge of the arm's reach. F
 says about each step. Then its states and commands are given to the servo again, in several rounds, and each step is timed. Far
 from singular postures means that all singular values are above 0.12 m and no bound is active; near one, that one is below, and
 a bound is active. The longest times are those of the machine, which interrupts a step from time to time; what the law takes
-at most is told by the median over the rounds of each step. Writes docs/benchmarks/servo_step.md.
+at most is told by the median over the rounds of each step. A step of `mp.Controller` is timed in the same run, as in
+control_step.py, to compare machines. Writes docs/benchmarks/servo_step.md.
 """
 
 import os
@@ -18,6 +19,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
+import control_step
 import numpy as np
 from rich.progress import track
 from servo import NAMES
@@ -67,9 +69,13 @@ def main(arguments: Sequence[str] | None = None) -> dict[str, np.ndarray]:
     servos = {name: mp.Servo(mp.load_robot(name), dt=DT) for name in NAMES}
     motions = {name: recorded(servo, given.seconds) for name, servo in servos.items()}
     rounds: dict[str, list[np.ndarray]] = {name: [] for name in NAMES}
+    panda, steps = mp.load_robot("panda"), []
+    controller = mp.Controller(panda, control_step.FORMULATIONS["LogDrive"], dt=0.01)
+    poses = control_step.targets(panda, control_step.PATH, 0.01)
     for _ in track(range(given.rounds + 1), description="measuring"):  # the first round warms up
         for name, servo in servos.items():
             rounds[name].append(timed(servo, motions[name][0]))
+        steps.append(control_step.one_round(panda, controller, control_step.PATH, 0.01, poses).median)
     lines = [
         "| arm | far from singular postures: steps, median | near one, with a bound active: steps, median "
         "| all steps, median of the rounds: 99.9 %, longest | every single step: 99 %, 99.9 % |",
@@ -85,6 +91,9 @@ def main(arguments: Sequence[str] | None = None) -> dict[str, np.ndarray]:
         high = (np.percentile(np.median(kept, axis=0), (99.9, 100)), np.percentile(kept, (99, 99.9)))
         lines.append(f"| {name} | {' | '.join([*medians, *(f'{1e6 * low:.1f}, {1e6 * most:.1f} µs' for low, most in high)])} |")
     lines += [
+        "",
+        "In the same run a step of `mp.Controller` with LogDrive, for the Panda along a path at 10 ms, takes "
+        f"{1e6 * np.median(steps[1:]):.1f} µs.",
         "",
         f"One step called from Python, compiled, {given.rounds} rounds; Python {platform.python_version()}, "
         f"{platform.machine()}; command: `.venv/bin/python benchmarks/servo_step.py`.",

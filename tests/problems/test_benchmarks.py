@@ -33,6 +33,7 @@ import motions
 import online_global
 import plan_many
 import recorded_motions
+import servo_step
 import six_joint_arms
 import threads
 import timed_motions
@@ -287,6 +288,15 @@ def test_many_plans_are_the_same_on_one_process_and_two(tmp_path):
     assert "| 3 of 3 |" in (tmp_path / "table.md").read_text()
     everything = plan_many.among_obstacles(702)
     assert np.array_equal(everything[0].start, everything[350].goal) and everything[700].seeding.seed == 1
+
+
+def test_steps_of_a_servo_are_timed_far_from_singular_postures_and_near_them(tmp_path):
+    found = servo_step.main(["--rounds", "1", "--seconds", "4", "--out", str(tmp_path / "table.md")])
+    assert set(found) == set(servo_step.NAMES)
+    assert all(times.shape == (1, 2000) and (times > 0).all() for times in found.values())
+    table = (tmp_path / "table.md").read_text()
+    assert all(f"\n| {name} |" in table for name in servo_step.NAMES)
+    assert "| panda | 0 |" not in table
 
 
 def test_at_rest_bounds_are_active_and_along_a_path_hardly_any(tmp_path):
