@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal, overload
 
 import numpy as np
@@ -13,15 +13,15 @@ from manipplan.constraints.constraint_set import ConstraintSet, check_start
 from manipplan.cost.integral import PathCost, PathIntegral
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.candidates import GoalCandidate, choose, find_candidates, rate_candidates
-from manipplan.goals.goal import Goal, read_configuration, read_goals
+from manipplan.goals.goal import Goal, Target, read_configuration, read_goals
 from manipplan.optimize.optimize import check_options, optimize_from, optimize_path, shift_goals
 from manipplan.optimize.result import NoPath, PathResult
 from manipplan.paths.basis import MOST_DEGREE, PathShape
 from manipplan.paths.joint import JointPath
 from manipplan.paths.trajectory import Trajectory
-from manipplan.plans.report import PlanReport, with_errors
+from manipplan.plans.report import PathPart, PlanReport, with_errors
 from manipplan.plans.result import PartialPlan, Plan, failed, finish
-from manipplan.robots.limits import TakenToLimit, taken_to_limits
+from manipplan.robots.limits import taken_to_limits
 from manipplan.robots.robot import Robot
 from manipplan.seeds.seeding import AS_GIVEN, NEAREST, Seeding
 from manipplan.support.checks import Array, ArrayLike, flag, instance, number
@@ -147,9 +147,80 @@ def plan(
         UnknownNameError: no state has that name; the nearest names are listed.
         PlanningError: no collision-free path, or no motion within the limits; its `result` is the Plan so far.
     """
-    instance("robot", robot, Robot)
     flag("torque", torque)
     flag("throw", throw)
+    notify = as_callback(progress)
+    found = find_path(
+        robot,
+        start,
+        goal,
+        scene,
+        constraints=constraints,
+        objective=objective,
+        shape=shape,
+        seeding=seeding,
+        clearance=clearance,
+        executor=executor,
+        progress=notify,
+    )
+    draft, path, reached = found.draft, found.draft.path, found.reached
+    if path is None or reached is None:
+        return failed(draft, throw, draft.message)
+
+    def time() -> tuple[Trajectory, tuple[PathPart, ...]]:
+        stands = draft.status is Status.AT_GOAL
+        return _stay(path.start, robot) if stands else retime(path, robot, torque=torque), ()
+
+    def compare_with_goal(report: PlanReport, trajectory: Trajectory) -> PlanReport:
+        q = trajectory.q[-1]
+        missed = reached.missed_by(robot, q)
+        faults = (*report.faults, missed) if missed else report.faults
+        errors = {tool: goal.errors(robot, q, tool) for tool, goal in (reached.tools or {}).items()}
+        return replace(report, tools=with_errors(report.tools, errors, "goal"), faults=faults)
+
+    return finish(
+        draft,
+        time,
+        taken=(*taken_to_limits(robot, "start", read_configuration("start", start, robot)), *reached.taken),
+        clearance=clearance,
+        torque=torque,
+        throw=throw,
+        notify=notify,
+        begins=0.8,
+        amend=compare_with_goal,
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FoundPath:
+    """A path from start to goal, and what it reaches.
+
+    Attributes:
+        draft: the plan so far, with path and result, or with the message why there is none.
+        reached: the goal that the path ends at; None without a path.
+    """
+
+    draft: PartialPlan
+    reached: Target | None = None
+
+
+@one_thread()
+def find_path(
+    robot: Robot,
+    start: ArrayLike | str,
+    goal: Goal,
+    scene: Scene | None = None,
+    *,
+    constraints: Sequence[Constraint],
+    objective: PathObjective,
+    shape: PathShape,
+    seeding: Seeding,
+    clearance: float,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> FoundPath:
+    """The path that `plan` times. Raises what `plan` raises for invalid arguments."""
+    instance("robot", robot, Robot)
     check_options(objective, shape, seeding)
     limit = seeding.time_limit
     reserve = max(RESERVE * limit, min(LEAST_RESERVE, limit / 2))
@@ -157,8 +228,7 @@ def plan(
     scene = instance("scene", scene if scene is not None else Scene(), Scene)
     notify = as_callback(progress)
     targets, is_list = read_goals("goal", goal, robot)
-    given = read_configuration("start", start, robot)
-    q_start = robot.configuration("start", given)
+    q_start = robot.configuration("start", read_configuration("start", start, robot))
     if seeding.shifts != AS_GIVEN:
         targets = tuple(replace(each, turns=True) for each in targets)
     if seeding.shifts == NEAREST:
@@ -191,13 +261,11 @@ def plan(
         return found
 
     integral = objective.integral(robot)
-    start_taken = taken_to_limits(robot, "start", given)
     there = next((k for k, each in enumerate(targets) if not each.of_tool(robot).missed_by(robot, q_start)), None)
     if there is not None and not shape.has_slopes:
         scene.collision_model(robot).free_configuration("start", q_start, number("clearance", clearance, least=0.0))
-        taken = (*start_taken, *targets[there].taken)
         at_goal = replace(draft, goal_index=there)
-        return _standing(at_goal, q_start, integral, taken, clearance=clearance, torque=torque, throw=throw)
+        return FoundPath(draft=_standing(at_goal, q_start, integral), reached=targets[there])
     if targets[0].q is not None and not is_list:
         candidates = rate_candidates(targets[0].q[None], [0], q_start, integral)
     else:
@@ -210,7 +278,7 @@ def plan(
     choice = choose(candidates, path_to, deadline, part(notify, 0.0, 0.6))
     draft = replace(draft, candidates=choice.candidates, goal_index=choice.goal_index)
     if choice.result is None:
-        return failed(draft, throw, choice.failure)
+        return FoundPath(draft=replace(draft, message=choice.failure))
     result = choice.result
     for other in _other_shapes(shape):
         descended = result.certificate is not None and np.isfinite(result.certificate.projected_gradient)
@@ -234,39 +302,12 @@ def plan(
         if more.status is Status.INTERRUPTED:
             raise KeyboardInterrupt
         result = min(result, more, key=lambda each: (not each.status.ok, each.g))
-    reached = targets[draft.goal_index]
-
-    def compare_with_goal(report: PlanReport, trajectory: Trajectory) -> PlanReport:
-        q = trajectory.q[-1]
-        missed = reached.missed_by(robot, q)
-        faults = (*report.faults, missed) if missed else report.faults
-        errors = {tool: goal.errors(robot, q, tool) for tool, goal in (reached.tools or {}).items()}
-        return replace(report, tools=with_errors(report.tools, errors, "goal"), faults=faults)
-
-    return finish(
-        replace(draft, path=result.path, result=result, status=result.status),
-        lambda: (retime(result.path, robot, torque=torque), ()),
-        taken=(*start_taken, *reached.taken),
-        clearance=clearance,
-        torque=torque,
-        throw=throw,
-        notify=notify,
-        begins=0.8,
-        amend=compare_with_goal,
-    )
+    draft = replace(draft, path=result.path, result=result, status=result.status)
+    return FoundPath(draft=draft, reached=targets[draft.goal_index])
 
 
-def _standing(
-    draft: PartialPlan,
-    q: Array,
-    integral: PathIntegral,
-    taken: tuple[TakenToLimit, ...],
-    *,
-    clearance: float,
-    torque: bool,
-    throw: bool,
-) -> Plan | PartialPlan:
-    """The plan of an arm that stands in a goal already: a motion that stays at q (n,)."""
+def _standing(draft: PartialPlan, q: Array, integral: PathIntegral) -> PartialPlan:
+    """The plan of an arm that stands in a goal already, at q (n,)."""
     path = JointPath(breaks=np.array([0.0, 1.0]), control=np.array([[q, q]]))
     least = float(integral.kinematics.manipulability(q))
     result = PathResult(
@@ -285,9 +326,6 @@ def _standing(
         metric=integral.metric,
         floor=integral.floor,
     )
-    stays = Trajectory(
-        t=np.array([0.0, STANDING]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=draft.robot.joint_names
-    )
     chosen = GoalCandidate(
         goal_index=draft.goal_index,
         q=q,
@@ -301,8 +339,12 @@ def _standing(
         chosen=True,
         status="chosen: the arm stands there",
     )
-    draft = replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
-    return finish(draft, lambda: (stays, ()), taken=taken, clearance=clearance, torque=torque, throw=throw)
+    return replace(draft, path=path, result=result, status=result.status, candidates=(chosen,))
+
+
+def _stay(q: Array, robot: Robot) -> Trajectory:
+    """A motion that stays at q (n,)."""
+    return Trajectory(t=np.array([0.0, STANDING]), q=np.array([q, q]), qd=np.zeros((2, len(q))), joint_names=robot.joint_names)
 
 
 def _out_of_time(result: PathResult) -> PathResult:

@@ -6,10 +6,11 @@ from dataclasses import replace
 from manipplan.collision.scene import Scene
 from manipplan.cost.objective import PathObjective
 from manipplan.goals.goal import read_configuration
-from manipplan.jobs.plan import plan
+from manipplan.jobs.plan import find_path
 from manipplan.optimize.optimize import check_options
+from manipplan.optimize.result import PathResult
 from manipplan.paths.basis import PathShape
-from manipplan.plans.result import PartialPlan, Plan, failed
+from manipplan.plans.result import PartialPlan, failed
 from manipplan.programs.assemble import assemble
 from manipplan.programs.choose import Chosen, Planner, ProgramSearch
 from manipplan.programs.leg_motions import Node, RawMotion, Stop, ToolPathPlanners, nodes_of, part_poses_after
@@ -25,7 +26,7 @@ from manipplan.support.errors import InvalidInputError, PlanningError
 from manipplan.support.progress import Progress, as_callback, interruptible, part
 from manipplan.support.status import Failure, Status
 from manipplan.support.workers import one_thread
-from manipplan.timing.retime import check_timing_limits
+from manipplan.timing.retime import check_timing_limits, retime
 
 
 @interruptible()
@@ -122,7 +123,7 @@ def sequence(
     if chosen is None:
         reasons = "; ".join(dict.fromkeys(search.failures[-3:])) or "no program is possible"
         raise PlanningError(f"no program was found: {reasons}")
-    items = list(_items(legs, chosen))
+    items = list(_items(legs, chosen, first))
     if not any(isinstance(each, RawMotion) for each in items):
         raise InvalidInputError("steps", [type(each).__name__ for each in steps], "steps with at least one motion")
     notify(0.9, "timing and checking")
@@ -177,9 +178,9 @@ def _search(
 
 
 def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clearance: float, torque: bool) -> Planner:
-    def plan_leg(leg: Leg, q: Array, entry: Array, state: State, seconds: float) -> Plan | Failure:
+    def plan_leg(leg: Leg, q: Array, entry: Array, state: State, seconds: float) -> PathResult | Failure:
         try:
-            made = plan(
+            found = find_path(
                 state.robot,
                 q,
                 entry,
@@ -189,12 +190,14 @@ def _planner(objective: PathObjective, shape: PathShape, seeding: Seeding, clear
                 shape=shape,
                 seeding=replace(seeding, time_limit=min(seeding.time_limit, seconds / seeding.count)),
                 clearance=clearance,
-                torque=torque,
-                throw=False,
-            )
-        except InvalidInputError as error:
+            ).draft
+            if found.result is None:
+                return Failure(message=found.message)
+            if torque:  # there may be no motion on a path
+                retime(found.result.path, state.robot, torque=True)
+        except (InvalidInputError, PlanningError) as error:
             return Failure(message=str(error))
-        return made if isinstance(made, Plan) and made.report.passed else Failure(message=made.message)
+        return found.result
 
     return plan_leg
 
@@ -212,9 +215,10 @@ def _known_after(leg: Leg, state: State) -> State:
     return state
 
 
-def _items(legs: Sequence[Leg], chosen: Chosen) -> Iterator[RawMotion | Stop]:
-    """All motions and stops of a program in their order."""
+def _items(legs: Sequence[Leg], chosen: Chosen, state: State) -> Iterator[RawMotion | Stop]:
+    """All motions and stops of a program in their order, from the first state on."""
     for leg, free, motion in zip(legs, chosen.free, chosen.along, strict=True):
         if free is not None:
-            yield RawMotion(step=leg.number, path=free.path, state=State(robot=free.robot, scene=free.scene))
+            yield RawMotion(step=leg.number, path=free.path, state=state)
         yield from motion.items
+        state = motion.state

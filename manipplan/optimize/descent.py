@@ -88,9 +88,12 @@ class Point:
     def of(cls, program: DescentProgram, z: Array, radius: float) -> "Point":
         """The path at z (f, n), with the rows that a step of `radius` can reach."""
         curves, value = program.length.curves, program.length.value(z)
-        curve = curves.curve(z)
-        sources: tuple[RowSource | None, ...] = (program.clearance, program.constraints)
-        rows = tuple(each.at(curves, z, curve, radius) for each in sources if each is not None)
+        kinds: tuple[RowSource | None, ...] = (program.clearance, program.constraints)
+        sources = [each for each in kinds if each is not None]
+        rows: tuple[NonlinearRows, ...] = ()
+        if sources:
+            curve = curves.curve(z)
+            rows = tuple(each.at(curves, z, curve, radius) for each in sources)
         return cls(program=program, z=z, value=value if np.isfinite(value) else np.inf, rows=rows)
 
     @cached_property
@@ -273,6 +276,7 @@ class _Model:
         active: the active rows.
         bend: largest diagonal entry of the Hessian of g.
         curvature: (f n, f n) Σ_i λ_i ∇²d_i of these rows.
+        is_lasting: whether another model about the same point would be the same, as no row bends.
         first: where no row is active, the convex Hessian of the first quadratic program, its radius and its step, which are
             those of the model itself; otherwise None.
     """
@@ -283,6 +287,7 @@ class _Model:
     active: LinearRows
     bend: float
     curvature: Array
+    is_lasting: bool
     first: tuple[Array, float, QuadraticStep] | None
 
     @classmethod
@@ -304,6 +309,7 @@ class _Model:
         multipliers = step.multipliers
         curvature = at.curvature(multipliers[len(multipliers) - len(near.value) :])
         active = multipliers > 0
+        is_lasting = not (previous.any() or curvature.any())
         return cls(
             gradient=gradient,
             hessian=hessian - curvature,
@@ -311,7 +317,8 @@ class _Model:
             active=LinearRows(value=rows.value[active], jacobian=rows.jacobian[active]),
             bend=float(np.abs(np.diag(hessian)).max()),
             curvature=curvature,
-            first=None if active.any() or previous.any() else (quadratic, radius, step),
+            is_lasting=is_lasting,
+            first=(quadratic, radius, step) if is_lasting and not active.any() else None,
         )
 
     def step(self, here: Point, radius: float, penalty: float, *, is_plain: bool) -> QuadraticStep | None:
@@ -417,9 +424,10 @@ def descend(
             penalty = max(penalty, min(-model.predict_decrease(step, restored, 0.0) / (MENDED * restored), LARGEST_PENALTY))
         predicted = model.predict_decrease(step, restored, penalty)
         if predicted < tolerance * here.value or (here.violation > DEEP and radius < SHORT):
-            if not is_plain:
+            is_same = model.is_lasting and radius >= first_radius  # a new model with the first radius
+            if not is_plain and model.first is None:
                 is_plain = True
-            elif widens and wide_steps == 0:
+            elif widens and wide_steps == 0 and not is_same:
                 radius, wide_steps = first_radius, WIDE_STEPS
                 here, model = Point.of(program, here.z, radius), None
             else:

@@ -47,6 +47,7 @@ class LinearRows:
         """All rows, one part after the other; no rows for steps of a size without any part."""
         if not parts:
             return cls(value=np.empty(0), jacobian=np.empty((0, size)))
+        parts = [each for each in parts if each.value.size] or parts[:1]
         if len(parts) == 1:
             return parts[0]
         return cls(value=np.concatenate([e.value for e in parts]), jacobian=np.concatenate([e.jacobian for e in parts]))

@@ -208,6 +208,7 @@ class LengthModel:
     pace: float
     integral: PathIntegral | None = None
     _last: dict[bytes, "LengthModel"] = field(default_factory=dict, init=False)
+    _last_derivatives: dict[bytes, tuple[Array, Array]] = field(default_factory=dict, init=False)
 
     @property
     def without_energy(self) -> "LengthModel":
@@ -226,10 +227,15 @@ class LengthModel:
         return gradient(here._shares, values, slopes, here.density.first.by_columns(*here._points(z)))
 
     def derivatives(self, z: Array) -> tuple[Array, Array]:
-        """Its gradient (f, n) and Hessian (f n, f n), z in row-major order."""
-        here = self._at(z)
-        _, _, values, slopes = here._values
-        return derivatives(z.shape[1], here._shares, values, slopes, here.density.second.by_columns(*here._points(z)))
+        """Its gradient (f, n) and Hessian (f n, f n), z in row-major order; those of the last z are stored."""
+        key = z.tobytes()
+        if key not in self._last_derivatives:
+            here = self._at(z)
+            _, _, values, slopes = here._values
+            found = derivatives(z.shape[1], here._shares, values, slopes, here.density.second.by_columns(*here._points(z)))
+            self._last_derivatives.clear()
+            self._last_derivatives[key] = found
+        return self._last_derivatives[key]
 
     def _at(self, z: Array) -> "LengthModel":
         """The sum over the panels that the path at z (f, n) needs; that of the last z is stored."""

@@ -15,9 +15,9 @@ import numpy as np
 from manipplan.goals.candidates import straight_lines
 from manipplan.goals.goal import Target
 from manipplan.goals.solutions import nearest
+from manipplan.optimize.result import PathResult
 from manipplan.paths.cartesian import CartesianPath
 from manipplan.paths.joint import JointPath
-from manipplan.plans.result import Plan
 from manipplan.programs.leg_motions import LegFailure, LegMotion, Node, RawMotion, ToolPathPlanners, motion_of_leg
 from manipplan.programs.legs import Leg, State, rounded
 from manipplan.programs.steps import MoveAlong
@@ -38,10 +38,10 @@ NEARBY = 0.05
 UNPLANNED = 1e9
 
 #: Shares of the time that a program takes to be found: for timing and checking it; of that left for its free motions.
-ENDING, FREE = 0.55, 0.6
+ENDING, FREE = 0.65, 0.6
 
 #: Plans a free motion of a leg from one configuration (n,) to another, in a state, within a time [s].
-Planner = Callable[[Leg, Array, Array, State, float], Plan | Failure]
+Planner = Callable[[Leg, Array, Array, State, float], PathResult | Failure]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,14 +49,14 @@ class Chosen:
     """A complete program: for each leg its node, its free motion (None where there is none) and the motion along its paths."""
 
     nodes: tuple[int, ...]
-    free: tuple[Plan | None, ...]
+    free: tuple[PathResult | None, ...]
     along: tuple[LegMotion, ...]
 
     @property
     def minimum(self) -> float:
         """The smallest manipulability on all its motions."""
         return min(
-            *(each.report.min_manipulability for each in self.free if each is not None),
+            *(each.min_manipulability for each in self.free if each is not None),
             *(each.minimum for each in self.along),
             np.inf,
         )
@@ -89,7 +89,7 @@ class ProgramSearch:
 
     def __post_init__(self) -> None:
         self._made_motions: dict[tuple[object, ...], LegMotion | LegFailure] = {}
-        self._free: dict[tuple[object, ...], Plan | Failure] = {}
+        self._free: dict[tuple[object, ...], PathResult | Failure] = {}
         self._at = [np.array([each.bound for each in nodes]) for nodes in self.nodes]
         first = Node(q=self.start, goal_index=0, bound=np.inf, after=self.nodes[0][0].before)
         edges = [self._lines(one, other) for one, other in pairwise([[first], *self.nodes])]
@@ -182,7 +182,7 @@ class ProgramSearch:
         The bounds of its nodes and motions are lowered to what they keep.
         """
         q, state, before = self.start, self.state, 0
-        free: list[Plan | None] = []
+        free: list[PathResult | None] = []
         along: list[LegMotion] = []
         for k, (leg, node) in enumerate(zip(self.legs, nodes, strict=True)):
             notify(k / len(self.legs), f"step {leg.number}")
@@ -203,7 +203,7 @@ class ProgramSearch:
             if leg.is_free and np.abs(motion.entry - q).max() >= COINCIDENT:
                 made = self._free_motion(k, before, node, q, motion.entry, state)
                 self._planned[k][before, node] = True
-                minimum = -np.inf if isinstance(made, Failure) else made.report.min_manipulability
+                minimum = -np.inf if isinstance(made, Failure) else made.min_manipulability
                 self._between[k][before, node] = min(self._between[k][before, node], minimum)
                 self._likely[k][before, node] = minimum
                 if isinstance(made, Failure):
@@ -228,7 +228,7 @@ class ProgramSearch:
                 self._made_motions[key] = motion_of_leg(leg, q, state, self.planners, here.found)
         return self._made_motions[key]
 
-    def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> Plan | Failure:
+    def _free_motion(self, k: int, before: int, node: int, q: Array, entry: Array, state: State) -> PathResult | Failure:
         key = (k, before, node, state.history, q.tobytes(), entry.tobytes())
         if key not in self._free:
             left = self.planners.deadline.left - self.ending

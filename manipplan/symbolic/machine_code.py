@@ -157,7 +157,7 @@ def _once(*_: object) -> Iterator[bool]:
 
 
 #: Numbers of points per call of a mapped Function, the largest first.
-CHUNKS = (64, 16, 4, 1)
+CHUNKS = (160, 40, 10, 4, 1)
 
 
 class BatchFunction:

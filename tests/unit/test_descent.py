@@ -13,7 +13,7 @@ import pytest
 import manipplan as mp
 from manipplan.cost.integral import PathIntegral
 from manipplan.cost.objective import length_density
-from manipplan.optimize import descent
+from manipplan.optimize import descent, steps
 from manipplan.optimize.certificate import SINGLE, measure_optimality
 from manipplan.optimize.local import Candidate, LocalSearch
 from manipplan.optimize.problem import TIE, _best
@@ -146,6 +146,22 @@ def test_optimising_the_result_again_lowers_g_by_nothing(panda, options):
     seeding = mp.Seeding(initial=first.path)
     again = mp.optimize_path(panda, START, GOAL, scene, shape=shape, seeding=seeding, clearance=CLEARANCE)
     assert again.g == pytest.approx(first.g, rel=5e-4)
+
+
+def test_second_derivatives_are_computed_once_for_each_path(panda, monkeypatch):
+    computed, seen = steps.derivatives, list[bytes]()
+
+    def derivatives(n, weights, values, slopes, each):
+        seen.append(weights.tobytes() + each.tobytes())
+        return computed(n, weights, values, slopes, each)
+
+    monkeypatch.setattr(steps, "derivatives", derivatives)
+    rng = np.random.default_rng(3)
+    lower, upper = panda.limits.lower, panda.limits.upper
+    for _ in range(5):
+        mp.optimize_path(panda, rng.uniform(lower, upper), rng.uniform(lower, upper))
+    assert len(seen) > 50
+    assert len(set(seen)) == len(seen)
 
 
 @pytest.mark.slow
