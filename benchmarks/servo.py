@@ -2,8 +2,8 @@
 
 Run with `.venv/bin/python benchmarks/servo.py`; environments of the peers are made on the first run. Writes
 docs/benchmarks/servo.md; docs/pictures/servo_film.py draws some of the streams. With --random 300 it runs that number of
-random streams instead, in as many processes as there are cores, and writes docs/benchmarks/servo_random.md; with --steps it
-prints times of a step, which want a quiet machine. Streams are those of servo_streams.py, the judge is servo_judge.py: 17
+random streams instead, in as many processes as there are cores, and writes docs/benchmarks/servo_random.md. With --own or
+--peers the rows of the other laws stay as they are. Streams are those of servo_streams.py, the judge is servo_judge.py: 17
 designed streams of 20 s for all laws, 20 mm from rest along 12 directions out of five singular postures, and random streams
 that begin at or near random singular postures of six arms, for `mp.Servo` alone. Arms have no jerk limits here.
 
@@ -30,7 +30,6 @@ import json
 import platform
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -51,7 +50,7 @@ from run import run_peer  # noqa: E402
 
 OUT = ROOT / "docs" / "benchmarks" / "servo.md"
 RANDOM = OUT.with_name("servo_random.md")
-PEERS = ("pink", "placo", "roboplan", "embodik")
+PEERS = ("pink", "placo", "roboplan", "embodik", "rtb")
 NAMES = ("panda", "ur5", "xarm7", "kinova", "so100", "baxter_left")
 #: Way of the leaving test [m], and the time for it [s].
 DISTANCE, LEAVING = 0.02, 4.0
@@ -164,26 +163,6 @@ def row(name: str, figures: Sequence[Figures], walks: Sequence[bool], leaving: S
     return "| " + " | ".join(cells) + " |"
 
 
-def steps_from_python(models: dict[str, Arm]) -> list[str]:
-    """Time of a step called from Python at one state: far from singularities, beside one, and there with joints at bounds."""
-    lines = ["| state of the Panda | median | 99.9 % |", "|---|---|---|"]
-    law = Ours(models["panda"])
-    far = np.array([0.3, -0.3, 0.2, -2.0, 0.1, 1.8, 0.5])
-    near = np.array(POSTURES["panda shoulder and wrist"][1]) + 0.02
-    slow, fast = np.array([0.02, 0.01, 0.0, 0.0, 0.05, 0.0]), np.array([1.0, 0.5, 0.2, 1.0, 1.0, 0.0])
-    for name, q, twist in (("far", far, slow), ("near", near, slow), ("near, joints at bounds", near, fast)):
-        times = []
-        qd = np.zeros(7)
-        for _ in range(200):
-            law.servo.step(q, qd, twist, "world")
-        for _ in range(20_000):
-            begin = time.perf_counter_ns()
-            law.servo.step(q, qd, twist, "world")
-            times.append(time.perf_counter_ns() - begin)
-        lines.append(f"| {name} | {np.median(times) / 1e3:.1f} µs | {np.quantile(times, 0.999) / 1e3:.1f} µs |")
-    return lines
-
-
 #: Head of the tables; random streams have no last column.
 HEAD = (
     "| law | share near: median, worst | followed | stalled | backward | angle, slip "
@@ -192,16 +171,17 @@ HEAD = (
 )
 
 
-def other_rows() -> list[str]:
-    """The rows of all laws but `mp.Servo` in the table as it stands."""
+def rows_of_table() -> dict[str, str]:
+    """The rows of the table as it stands, by the names of the laws."""
     rows = [line for line in OUT.read_text().splitlines() if line.count("|") == HEAD.count("|")]
-    return [line for line in rows[2:] if line[2:].partition(" | ")[0] != OWN]
+    return {line[2:].partition(" | ")[0]: line for line in rows[2:]}
 
 
-def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[str]:
-    """The table of all laws; without environments that of `mp.Servo` is new, and the others keep their rows."""
+def designed_streams(
+    models: dict[str, Arm], own: Sequence[str], peers: Sequence[str], environments: Path, rows: dict[str, str]
+) -> list[str]:
+    """The table with new rows of some of our laws and peers, in place of those in `rows`."""
     streams, cases = designed(models), leaving_cases(models)
-    lines = ["### Designed streams", "", HEAD, "|" + "---|" * 11]
     walks, count = ["walk" in name for name in streams], len(streams)
     arms = [models[each.arm] for each in [*streams.values(), *cases]]
 
@@ -211,18 +191,15 @@ def designed_streams(models: dict[str, Arm], environments: Path | None) -> list[
             found.append(judge(arm, run))
             print(name, key, {k: round(v, 3) for k, v in found[-1].items()}, flush=True)
         leaving = [over_bound(*each) for each in zip(arms[count:], runs[count:], cases, strict=True)]
-        lines.append(row(name, found, walks, leaving))
-        print(lines[-1], flush=True)
+        rows[name] = row(name, found, walks, leaving)
+        print(rows[name], flush=True)
 
-    if environments is None:
-        add(OWN, own_runs(LAWS[OWN], models, streams, cases))
-        return lines + other_rows()
-    for name, make in LAWS.items():
-        add(name, own_runs(make, models, streams, cases))
-    for peer in PEERS:
+    for name in own:
+        add(name, own_runs(LAWS[name], models, streams, cases))
+    for peer in peers:
         for name, runs in peer_runs(peer, models, streams, cases, environments).items():
             add(name, runs)
-    return lines
+    return ["### Designed streams", "", HEAD, "|" + "---|" * 11, *rows.values()]
 
 
 @cache
@@ -274,16 +251,17 @@ def main() -> None:
     parser.add_argument("--random", type=int, metavar="COUNT", help="number of random streams to run instead")
     parser.add_argument("--environments", type=Path, default=ROOT / ".peers", help="folder of the peers' environments")
     parser.add_argument("--own", action="store_true", help="run `mp.Servo` alone; the other laws keep their rows")
-    parser.add_argument("--steps", action="store_true", help="only print the times of a step")
+    parser.add_argument("--peers", nargs="+", choices=PEERS, help="run these alone; the other laws keep their rows")
     given = parser.parse_args()
-    if given.steps:
-        print("\n".join(steps_from_python({"panda": described()["panda"]})))
-        return
     if given.random:
         write(RANDOM, random_streams(given.random), f" --random {given.random}")
         return
     models = described()
-    lines = designed_streams(models, None if given.own else given.environments)
+    own, peers = list(LAWS), list(PEERS)
+    if given.own or given.peers:
+        own, peers = [OWN] if given.own else [], given.peers or []
+    rows = rows_of_table() if given.own or given.peers else {}
+    lines = designed_streams(models, own, peers, given.environments, rows)
     write(OUT, lines, " --own" if given.own else "")
 
 

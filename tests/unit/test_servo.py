@@ -425,6 +425,19 @@ def either_side(robot, sigma, rng):
     return ends.values()
 
 
+@pytest.mark.parametrize("name", ["panda", "ur5", "xarm7"])
+@settings(deadline=None)
+@given(data=st.data())
+def test_the_gauge_has_a_lower_bound_of_the_singular_values_which_is_exact_where_they_are_small(servos, name, data):
+    servo = servos(name)
+    lower, upper = np.maximum(servo.robot.limits.lower, -3), np.minimum(servo.robot.limits.upper, 3)
+    shares = st.lists(st.floats(0.1, 0.9), min_size=servo.robot.n, max_size=servo.robot.n)
+    q = lower + np.array(data.draw(shares)) * (upper - lower)
+    servo.step(q, np.zeros(servo.robot.n), np.array([0.01, -0.02, 0.01, 0.02, 0.01, -0.01]), "world")
+    least = least_singular_value(servo.robot, q)
+    assert min(least, 0.12) - 1e-12 <= servo.gauge.smallest <= least + 1e-12
+
+
 @pytest.mark.parametrize("sigma", [0.12, 0.03, 0.02, 0.01])
 @pytest.mark.parametrize("name", ["panda", "ur5"])
 @settings(deadline=None, max_examples=8)
