@@ -31,6 +31,7 @@ class Roboplan:
         self.acceleration = AccelerationLimit(self.oink, DT, arm.acceleration)
         self.limits = [PositionLimit(self.oink), VelocityLimit(self.oink, DT, arm.velocity), self.acceleration]
         self.delta = np.zeros(self.oink.num_variables)
+        self.failed = b""
 
     def reset(self):
         self.acceleration.reset()
@@ -38,7 +39,12 @@ class Roboplan:
     def step(self, q, qd, twist):
         self.task.setTargetFrameTransform(np.asfortranarray(moved(self.arm.pose(q), twist, DT).homogeneous))
         self.acceleration.setLastVelocity(qd)
+        given = np.concatenate([q, qd, twist]).tobytes()
+        if given == self.failed:  # an arm that stands: the solver would fail again, after a tenth of a second
+            raise RuntimeError("the same problem was not solved in the last step")
+        self.failed = given
         self.oink.solveIk(q, [self.task], self.limits, self.delta, self.regularization)
+        self.failed = b""
         return self.delta / DT
 
 

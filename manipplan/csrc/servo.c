@@ -275,7 +275,7 @@ static void contract(const Servo *servo, const Work *w, double y[MOST][6], doubl
 }
 
 /* The wrench (6) of weights u (m) of the rows, and what of it turns with the tool. */
-static void weighted(const Servo *servo, const Work *w, const double *u, double *wrench, double *turning) {
+static void combine_rows(const Servo *servo, const Work *w, const double *u, double *wrench, double *turning) {
     memset(wrench, 0, 6 * sizeof *wrench);
     memset(turning, 0, 6 * sizeof *turning);
     for (long k = 0; k < w->m; k++)
@@ -285,7 +285,7 @@ static void weighted(const Servo *servo, const Work *w, const double *u, double 
 /* ∂(uᵀ J v)/∂q (n) for weights u (m) of the rows and a joint direction v (n). */
 static void slope_of(const Servo *servo, const Work *w, const double *u, const double *v, double *out) {
     double wrench[6], turning[6], y[MOST][6], turns[MOST][6], whole[MOST] = {0};
-    weighted(servo, w, u, wrench, turning);
+    combine_rows(servo, w, u, wrench, turning);
     for (long i = 0; i < w->n; i++) whole[w->joint[i]] = v[i];
     for (long p = 0; p < servo->physical; p++) {
         double share = servo->ratio[p] * whole[servo->leader[p]];
@@ -359,7 +359,7 @@ static void eigen(long n, double A[MOST][MOST], double value[MOST], double vecto
 /* M (n, n) with M[i][j] = uᵀ ∂J_j/∂q_i, for weights u of the rows, as in `contract`. */
 static void second_order(const Servo *servo, const Work *w, const double *u, double M[MOST][MOST]) {
     double y[6], turning[6], all[MOST][MOST] = {0};
-    weighted(servo, w, u, y, turning);
+    combine_rows(servo, w, u, y, turning);
     for (long p = 0; p < servo->physical; p++) {
         const double *moved = servo->columns + 6 * p;
         double after[3], angular[3], turns[3], half[3], before[3];
@@ -1174,9 +1174,10 @@ static void turn_toward(const Servo *servo, const double *P, double *vector) {
 
 /* The deceleration with which the tool stops along a twist (6) whose size is 1: at most APPROACH, and that of the joints' least
    motion y = Jᵀ (JJᵀ)⁻¹ b, which slows down in proportion, with the share STOPPING of their acceleration. */
-static double deceleration_along(Servo *servo, const double *twist) {
+static double deceleration_along(const Servo *servo, const double *twist) {
     long m = servo->world_rows + servo->tool_rows;
-    double (*J)[16] = servo->rows, L[ROWS][ROWS], u[ROWS], slowest = APPROACH;
+    const double (*J)[16] = servo->rows;
+    double L[ROWS][ROWS], u[ROWS], slowest = APPROACH;
     for (long a = 0; a < m; a++) { /* L Lᵀ = JJᵀ + DAMPED, L u = b */
         u[a] = dot(6, servo->wrench[a], twist);
         for (long b = 0; b <= a; b++) {
@@ -1199,7 +1200,7 @@ static double deceleration_along(Servo *servo, const double *twist) {
 
 /* The twist (6) in world axes that brings the tool to a pose, no faster than it can stop there, also where the command is smoothed.
    It comes to rest from states that are a step or two old, too. Returns 0 for no pose. */
-static int toward_pose(Servo *servo, double *twist) {
+static int toward_pose(const Servo *servo, double *twist) {
     const double *P = servo->pose;
     if (!all_finite(16, P) || !is_rotation(P, 4)) return 0;
     for (int a = 0; a < 4; a++)
