@@ -153,6 +153,20 @@ def test_constraints_of_a_move(hand):
     assert np.arccos(np.clip(-axes[:, 2], -1, 1)).max() <= 0.1 + 1e-6
 
 
+def test_torque_limits_hold_in_a_program(panda):
+    goal = panda.neutral + [0.4, 0.3, 0.0, 0.2, 0.0, 0.0, 0.0]
+    program = mp.sequence(panda, panda.neutral, [mp.MoveTo(goal)], torque=True)
+    model, data = panda.model, panda.model.createData()
+    t = np.linspace(0.0, program.trajectory.duration, 500)
+    motion = zip(*(program.trajectory(t, order) for order in (0, 1, 2)), strict=True)
+    torques = np.array([pin.rnea(model, data, *each).copy() for each in motion])
+    assert (np.abs(torques) <= panda.limits.effort * (1 + 1e-6)).all()
+    weak = panda.with_limits(effort=5.0)
+    assert mp.sequence(weak, weak.neutral, [mp.MoveTo(goal)]).passed
+    with pytest.raises(mp.errors.PlanningError, match="no program was found: .*gravity alone loads panda_joint4 with"):
+        mp.sequence(weak, weak.neutral, [mp.MoveTo(goal)], torque=True)
+
+
 def test_cutting_a_path():
     rng = np.random.default_rng(0)
     path = mp.JointPath.spline([0.0, 0.3, 0.7, 1.0], rng.normal(size=(4, 7)))
