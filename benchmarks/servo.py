@@ -262,13 +262,13 @@ def main() -> None:
         own, peers = [OWN] if given.own else [], given.peers or []
     rows = rows_of_table() if given.own or given.peers else {}
     lines = designed_streams(models, own, peers, given.environments, rows)
-    write(OUT, lines, " --own" if given.own else "")
+    write(OUT, lines, "", ", rows of single laws with `--own` and `--peers`" if given.own or given.peers else "")
 
 
-def write(file: Path, lines: list[str], options: str) -> None:
+def write(file: Path, lines: list[str], options: str, single: str = "") -> None:
     """A page of tables, with the command that made it."""
     command = f".venv/bin/python benchmarks/servo.py{options}"
-    made = f"Called from Python {platform.python_version()}, {platform.machine()}; command: `{command}`."
+    made = f"Called from Python {platform.python_version()}, {platform.machine()}; command: `{command}`{single}."
     file.write_text("\n".join([*lines, "", made]) + "\n")
     print(file.read_text())
 

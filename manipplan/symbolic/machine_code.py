@@ -156,7 +156,7 @@ def _once(*_: object) -> Iterator[bool]:
     return iter((True,))
 
 
-#: Numbers of points per call of a mapped Function, the largest first.
+#: Numbers of points per call of a mapped Function, the largest first; a quadrature panel has ten.
 CHUNKS = (160, 40, 10, 4, 1)
 
 
